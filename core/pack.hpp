@@ -130,6 +130,11 @@ template <int N>
 Pack<N> max(Pack<N> a, Pack<N> b) {
   return select_lanes(a < b, b, a);
 }
+/// Largest whole number not above a; lane by lane.
+template <int N>
+Pack<N> floor(Pack<N> a) {
+  return lane_by_lane(a, [](double s) { return __builtin_floor(s); });
+}
 template <int N>
 Pack<N> log(Pack<N> a) {
   return lane_by_lane(a, [](double s) { return std::log(s); });

@@ -1,0 +1,128 @@
+#pragma once
+/// The background grid as blocks of 4^D nodes, of which only those near particles exist.
+///
+/// A particle belongs to the block of its stencil's first node. Each particle block scatters into its own arena, which
+/// also covers the reach of the kernel and one cell of drift; the arenas are then summed, node block by node block, in
+/// a fixed order. So no cost grows with the bounding box, and results do not depend on threads.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/batch.hpp"
+#include "core/errors.hpp"
+
+namespace talus {
+
+/// Place of a block: its first node is block_edge * place.
+template <int D>
+using Place = std::array<std::int32_t, static_cast<std::size_t>(D)>;
+
+/// Blocks further than this from the origin are refused: 2^20 blocks of 4 cells.
+inline constexpr std::int32_t farthest_block = 1 << 20;
+
+/// The number under which a block is known and by which blocks are ordered: the first axis counts most.
+template <int D>
+constexpr std::uint64_t key_of(Place<D> const& place) {
+  std::uint64_t key = 0;
+  for (int d = 0; d < D; ++d)
+    key = (key << 21) | static_cast<std::uint64_t>(place[static_cast<std::size_t>(d)] + farthest_block);
+  return key;
+}
+template <int D>
+constexpr Place<D> place_of(std::uint64_t key) {
+  Place<D> place{};
+  for (int d = D - 1; d >= 0; --d, key >>= 21)
+    place[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(key & ((1U << 21) - 1)) - farthest_block;
+  return place;
+}
+
+template <int D>
+inline constexpr int neighbour_count = D == 2 ? 9 : 27;
+
+/// Step o_d in {-1, 0, 1} to neighbour number n; the last axis runs fastest.
+template <int D>
+constexpr Place<D> neighbour_step(int n) {
+  Place<D> step{};
+  for (int d = D - 1; d >= 0; --d, n /= 3) step[static_cast<std::size_t>(d)] = n % 3 - 1;
+  return step;
+}
+
+/// Which particle blocks and node blocks exist, and who is whose neighbour.
+template <int D>
+class BlockGrid {
+ public:
+  using Neighbours = std::array<std::int32_t, static_cast<std::size_t>(neighbour_count<D>)>;
+
+  /// periods: number of blocks after which an axis repeats, 0 where it does not.
+  explicit BlockGrid(Place<D> periods = {}) : periods_(periods) {}
+
+  /// Builds the tables for particle blocks with these keys (sorted, each once).
+  void build(std::vector<std::uint64_t> keys) {
+    particle_keys_ = std::move(keys);
+    find_node_blocks();
+    link();
+  }
+
+  [[nodiscard]] std::size_t particle_blocks() const { return particle_keys_.size(); }
+  [[nodiscard]] std::size_t node_blocks() const { return node_keys_.size(); }
+  [[nodiscard]] std::vector<std::uint64_t> const& particle_keys() const { return particle_keys_; }
+  [[nodiscard]] Place<D> particle_block(std::size_t b) const { return place_of<D>(particle_keys_[b]); }
+  [[nodiscard]] Place<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
+  /// Node blocks around particle block b, by neighbour number.
+  [[nodiscard]] Neighbours const& nodes_around(std::size_t b) const { return nodes_around_[b]; }
+  /// Particle block whose neighbour number n is node block b; -1 where there is none.
+  [[nodiscard]] Neighbours const& particles_around(std::size_t b) const { return particles_around_[b]; }
+  [[nodiscard]] Place<D> const& periods() const { return periods_; }
+
+  /// A place brought back into the period.
+  [[nodiscard]] Place<D> wrap(Place<D> place) const {
+    for (int d = 0; d < D; ++d) {
+      auto& c = place[static_cast<std::size_t>(d)];
+      std::int32_t const n = periods_[static_cast<std::size_t>(d)];
+      if (n > 0) c = ((c % n) + n) % n;
+    }
+    return place;
+  }
+
+ private:
+  Place<D> moved(std::uint64_t key, int neighbour, int sign) const {
+    Place<D> place = place_of<D>(key);
+    Place<D> const step = neighbour_step<D>(neighbour);
+    for (int d = 0; d < D; ++d) place[static_cast<std::size_t>(d)] += sign * step[static_cast<std::size_t>(d)];
+    return wrap(place);
+  }
+
+  void find_node_blocks() {
+    node_keys_.clear();
+    for (std::uint64_t key : particle_keys_)
+      for (int n = 0; n < neighbour_count<D>; ++n) node_keys_.push_back(key_of<D>(moved(key, n, 1)));
+    std::sort(node_keys_.begin(), node_keys_.end());
+    node_keys_.erase(std::unique(node_keys_.begin(), node_keys_.end()), node_keys_.end());
+  }
+
+  static std::int32_t find(std::vector<std::uint64_t> const& keys, std::uint64_t key) {
+    auto const at = std::lower_bound(keys.begin(), keys.end(), key);
+    return at != keys.end() && *at == key ? static_cast<std::int32_t>(at - keys.begin()) : -1;
+  }
+
+  void link() {
+    nodes_around_.resize(particle_keys_.size());
+    for (std::size_t b = 0; b < particle_keys_.size(); ++b)
+      for (int n = 0; n < neighbour_count<D>; ++n)
+        nodes_around_[b][static_cast<std::size_t>(n)] = find(node_keys_, key_of<D>(moved(particle_keys_[b], n, 1)));
+    particles_around_.resize(node_keys_.size());
+    for (std::size_t b = 0; b < node_keys_.size(); ++b)
+      for (int n = 0; n < neighbour_count<D>; ++n)
+        particles_around_[b][static_cast<std::size_t>(n)] =
+            find(particle_keys_, key_of<D>(moved(node_keys_[b], n, -1)));
+  }
+
+  Place<D> periods_;
+  std::vector<std::uint64_t> particle_keys_, node_keys_;
+  std::vector<Neighbours> nodes_around_, particles_around_;
+};
+
+}  // namespace talus

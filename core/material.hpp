@@ -1,0 +1,198 @@
+#pragma once
+/// A material at run time: one law in one kinematics, called once a batch of particles.
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/kinematics.hpp"
+#include "core/law.hpp"
+#include "core/log_strain.hpp"
+#include "core/particles_to_grid.hpp"
+
+namespace talus {
+
+namespace field {
+inline constexpr struct Pressure : ScalarField {
+  static constexpr std::string_view name = "pressure", symbol = "p", unit = "Pa",
+                                    meaning = "pressure of the Kirchhoff stress, positive in compression";
+} pressure;
+inline constexpr struct ShearStress : ScalarField {
+  static constexpr std::string_view name = "shear_stress", symbol = "q", unit = "Pa",
+                                    meaning = "norm of the Kirchhoff stress deviator over sqrt(2)";
+} shear_stress;
+inline constexpr struct VolumeRatio : ScalarField {
+  static constexpr std::string_view name = "volume_ratio", symbol = "J", unit = "1",
+                                    meaning = "volume over initial volume; the solid fraction is phi_0 / J";
+} volume_ratio;
+}  // namespace field
+
+/// What the step asks of a material. Fields are read and written in place.
+template <int D>
+class Material {
+ public:
+  std::string name, law;
+  double density;  ///< of the undeformed bulk [kg/m^3]
+
+  Material(std::string its_name, std::string its_law, double its_density)
+      : name(std::move(its_name)), law(std::move(its_law)), density(its_density) {}
+  Material(Material const&) = delete;
+  virtual ~Material() = default;
+
+  /// Adds the law's own fields.
+  virtual void declare(Layout& layout) const = 0;
+  /// Learns where the law's fields lie.
+  virtual void bind(Layout const& layout) = 0;
+  /// Writes the law's initial state of one particle: calls set(pack, value).
+  virtual void start(std::vector<std::pair<int, double>>& values) const = 0;
+  /// V_p^0 tau_p of every chunk, and mu_p where `friction`.
+  virtual void load(Batch<D> const& batch, bool friction, Load<D>* loads) const = 0;
+  /// Trial strain from dt L, return map, new state. dt_gradient has one entry a chunk.
+  virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion) const = 0;
+  /// Stored energy of the batch [J].
+  [[nodiscard]] virtual double elastic_energy(Batch<D> const& batch) const = 0;
+  /// d_s lambda + 2 G [Pa]: the modulus that limits the time step.
+  [[nodiscard]] virtual double volumetric_modulus() const = 0;
+  /// True where walls may take their friction from the material.
+  [[nodiscard]] virtual bool has_friction() const = 0;
+  /// Quantities that are computed from the state for output.
+  [[nodiscard]] virtual std::vector<FieldInfo> derived() const = 0;
+  /// Those quantities of chunk c, in the order of `derived`.
+  virtual void derive(Batch<D> const& batch, int c, std::vector<Lanes>& values) const = 0;
+};
+
+/// The walls may take their friction from a law that tells its friction.
+template <class L>
+concept HasFriction = requires(L const law, Symmetric<double, shape::Solid> eps, Record<double, typename L::State> s) {
+  { law.friction(eps, s) } -> std::same_as<double>;
+};
+
+template <class Kinematics, class Law>
+class MaterialOf final : public Material<Kinematics::dimension> {
+ public:
+  static constexpr int D = Kinematics::dimension;
+  using Shape = typename Kinematics::Shape;
+  using Strain = Symmetric<Lanes, Shape>;
+  using State = Record<Lanes, typename Law::State>;
+
+  MaterialOf(std::string its_name, double its_density, typename Law::Parameters const& parameters)
+      : Material<D>(std::move(its_name), std::string(Law::name), its_density), law_(parameters) {}
+
+  void declare(Layout& layout) const override { layout.unite(typename Law::State{}); }
+
+  void bind(Layout const& layout) override {
+    [&]<Field... F>(Fields<F...>) {
+      state_at_ = {layout.find(F{})...};
+    }
+    (typename Law::State{});
+  }
+
+  void start(std::vector<std::pair<int, double>>& values) const override {
+    auto const state = law_.template initial<Shape>();
+    for (std::size_t k = 0; k < state_at_.size(); ++k) values.emplace_back(state_at_[k], state.values[k]);
+  }
+
+  [[gnu::flatten]] void load(Batch<D> const& batch, bool friction, Load<D>* loads) const override {
+    Lanes const volume_of_mass(1.0 / this->density);
+    for (int c = 0; c < batch.count; ++c) {
+      Lanes const* chunk = batch.chunk(c);
+      Strain const eps = strain(batch, chunk);
+      Strain const tau = law_.stress(eps);
+      Lanes const volume = chunk[batch.at.mass] * volume_of_mass;
+      for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j) loads[c].force(i, j) = volume * tau(i, j);
+      if constexpr (HasFriction<Law>)
+        if (friction) loads[c].friction = law_.friction(eps, state(chunk));
+    }
+  }
+
+  [[gnu::flatten]] void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt,
+                               Motion& motion) const override {
+    for (int c = 0; c < batch.count; ++c) {
+      Lanes* chunk = batch.chunk(c);
+      Strain const trial = trial_strain(strain(batch, chunk), dt_gradient[c]);
+      State state = this->state(chunk);
+      Strain const eps = law_.project(trial, state, Lanes(dt));
+      Lanes sum(0.0);
+      for (int k = 0; k < Strain::size; ++k) {
+        chunk[batch.at.strain + k] = eps[k];
+        sum += eps[k];
+      }
+      for (std::size_t k = 0; k < state_at_.size(); ++k) {
+        chunk[state_at_[k]] = state.values[k];
+        sum += state.values[k];
+      }
+      auto const upright = determinant_of_step(dt_gradient[c]) > Lanes(0.0);
+      auto const finite = is_finite(sum);
+      if (!all(upright & finite)) report(batch, c, upright, finite, motion);
+    }
+  }
+
+  [[nodiscard]] double elastic_energy(Batch<D> const& batch) const override {
+    double sum = 0;
+    for (int c = 0; c < batch.count; ++c) {
+      Lanes const* chunk = batch.chunk(c);
+      Lanes const energy = law_.energy(strain(batch, chunk)) * chunk[batch.at.mass];
+      for (int lane = 0; lane < batch.filled(c); ++lane) sum += energy[lane] / this->density;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] double volumetric_modulus() const override { return law_.template volumetric_modulus<Shape>(); }
+  [[nodiscard]] bool has_friction() const override { return HasFriction<Law>; }
+
+  [[nodiscard]] std::vector<FieldInfo> derived() const override {
+    std::vector<FieldInfo> infos{info_of<field::Pressure>(), info_of<field::ShearStress>(),
+                                 info_of<field::VolumeRatio>()};
+    [&]<Field... F>(Fields<F...>) {
+      (infos.push_back(info_of<F>()), ...);
+    }
+    (typename Law::Derived{});
+    return infos;
+  }
+
+  void derive(Batch<D> const& batch, int c, std::vector<Lanes>& values) const override {
+    Lanes const* chunk = batch.chunk(c);
+    Strain const eps = strain(batch, chunk), tau = law_.stress(eps);
+    State const state = this->state(chunk);
+    values = {pressure(tau), shear_stress(tau), law_.volume_ratio(eps, state)};
+    auto const own = law_.derive(eps, state);
+    values.insert(values.end(), own.values.begin(), own.values.end());
+  }
+
+ private:
+  static Strain strain(Batch<D> const& batch, Lanes const* chunk) {
+    Strain eps;
+    for (int k = 0; k < Strain::size; ++k) eps[k] = chunk[batch.at.strain + k];
+    return eps;
+  }
+  State state(Lanes const* chunk) const {
+    State s;
+    for (std::size_t k = 0; k < state_at_.size(); ++k) s.values[k] = chunk[state_at_[k]];
+    return s;
+  }
+  /// det(I + dt L): not positive where the step turns the material inside out.
+  static Lanes determinant_of_step(Matrix<Lanes, D> const& H) {
+    Lanes const one(1.0);
+    if constexpr (D == 2) return (one + H(0, 0)) * (one + H(1, 1)) - H(0, 1) * H(1, 0);
+    if constexpr (D == 3)
+      return (one + H(0, 0)) * ((one + H(1, 1)) * (one + H(2, 2)) - H(1, 2) * H(2, 1)) -
+             H(0, 1) * (H(1, 0) * (one + H(2, 2)) - H(1, 2) * H(2, 0)) +
+             H(0, 2) * (H(1, 0) * H(2, 1) - (one + H(1, 1)) * H(2, 0));
+  }
+  static void report(Batch<D> const& batch, int c, Mask<lanes> upright, Mask<lanes> finite, Motion& motion) {
+    for (int lane = 0; lane < batch.filled(c); ++lane) {
+      auto const id = static_cast<long>(batch.chunk(c)[batch.at.identity][lane]);
+      if (!finite[lane])
+        motion.fail(id, Motion::Cause::not_finite);
+      else if (!upright[lane])
+        motion.fail(id, Motion::Cause::inverted);
+    }
+  }
+
+  Law law_;
+  std::array<int, Law::State::count> state_at_{};
+};
+
+}  // namespace talus

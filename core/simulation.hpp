@@ -1,0 +1,122 @@
+#pragma once
+/// A simulation: particles, grid and clock, and the step that moves them.
+///
+/// One step from t to t + dt (update stress last; MUSL maps back in between):
+///
+///   particles to grid   stress of the strain that was left, momentum, mass, force into each block's arena
+///   grid                arenas summed, nodes accelerated, walls
+///   grid to particles   velocities, positions, dt L
+///   law                 trial strain, return map
+///
+/// A step begins and ends with particles: strain and state are stored, the stress never is.
+
+#include <vector>
+
+#include "core/grid_pass.hpp"
+#include "core/particles.hpp"
+#include "core/time_step.hpp"
+
+namespace talus {
+
+/// Momentum that came in since the start, by source [kg m/s].
+template <int D>
+struct Momentum {
+  Point<D> gravity = Point<D>::Zero();
+  Impulses<D> walls;
+};
+
+template <int D>
+class Simulation {
+ public:
+  explicit Simulation(Scene<D> scene)
+      : scene_(std::move(scene)), particles_(scene_.layout()), grid_(scene_.periods), pass_(scene_) {
+    for (auto& material : scene_.materials) material->bind(particles_.layout());
+    momentum_.walls.assign(scene_.walls.size(), Point<D>::Zero());
+  }
+  Simulation(Simulation const&) = delete;
+
+  [[nodiscard]] Scene<D> const& scene() const { return scene_; }
+  [[nodiscard]] Particles<D>& particles() { return particles_; }
+  [[nodiscard]] Particles<D> const& particles() const { return particles_; }
+  [[nodiscard]] BlockGrid<D> const& grid() const { return grid_; }
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] long step_count() const { return steps_; }
+  [[nodiscard]] double drift() const { return drift_; }
+  [[nodiscard]] long sorts() const { return sorts_; }
+  [[nodiscard]] Momentum<D> const& momentum() const { return momentum_; }
+  [[nodiscard]] Motion const& motion() const { return motion_; }
+  [[nodiscard]] TimeStep last_step() const { return last_; }
+  [[nodiscard]] std::size_t bytes() const { return particles_.bytes() + pass_.bytes(); }
+
+  /// To be called once the particles are in: total mass, first speed, first sort.
+  void begin() {
+    measure();
+    sort();
+  }
+  /// Goes on from a checkpoint, whose particles are in their order, with the blocks of these keys.
+  void resume(std::vector<std::uint64_t> keys, double time, long steps, double drift, Motion motion,
+              Momentum<D> momentum) {
+    measure();
+    grid_.build(std::move(keys));
+    resize();
+    time_ = time;
+    steps_ = steps;
+    drift_ = drift;
+    motion_ = motion;
+    momentum_ = std::move(momentum);
+  }
+
+  /// The step that `advance` would take towards `end` [s].
+  [[nodiscard]] TimeStep next(double end) const {
+    return next_step(scene_, motion_.speed, motion_.gradient, end - time_);
+  }
+
+  /// One step towards `end`, on which the last one lands exactly. Throws RunError where the state is lost.
+  void advance(double end);
+
+ private:
+  void measure();
+  void sort() {
+    particles_.sort(grid_, scene_.spacing, scene_.stages->base_shift);
+    resize();
+    drift_ = 0;
+    ++sorts_;
+  }
+  void resize();
+  void particles_to_grid(double dt);
+  void grid_to_particles(double dt);
+  void map_back(double dt);
+  [[noreturn]] void stop(double dt) const;
+
+  struct Scratch {
+    std::vector<NodeVector> arena;
+    std::vector<Load<D>> loads;
+    std::vector<Matrix<Lanes, D>> dt_gradient;
+  };
+  Scratch& scratch() { return scratch_[static_cast<std::size_t>(thread_number())]; }
+
+  template <class F>
+  void for_each_run(std::size_t block, F const& f) {
+    for (std::size_t r = particles_.first_run(block); r < particles_.first_run(block + 1); ++r) {
+      Run const& run = particles_.runs()[r];
+      f(*scene_.materials[static_cast<std::size_t>(run.material)],
+        particles_.batch(run, scene_.spacing, grid_.particle_block(block)));
+    }
+  }
+
+  Scene<D> scene_;
+  Particles<D> particles_;
+  BlockGrid<D> grid_;
+  GridPass<D> pass_;
+  std::vector<Scratch> scratch_;
+  std::vector<Motion> motions_;
+  Motion motion_;
+  Momentum<D> momentum_;
+  TimeStep last_;
+  double time_ = 0, drift_ = 0, mass_ = 0, largest_mass_ = 0;
+  long steps_ = 0, sorts_ = 0;
+};
+
+}  // namespace talus
+
+#include "core/simulation_step.hpp"
