@@ -1,0 +1,140 @@
+#include "core/roots.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+#include "core/dual.hpp"
+
+using namespace talus;
+
+BOOST_AUTO_TEST_SUITE(roots)
+
+namespace {
+
+namespace bt = boost::test_tools;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// x^3 - a.
+template <class T>
+auto cube_less(T a) {
+  return [a](T const& x) { return WithDerivative<T>{x * x * x - a, T(3.0) * x * x}; };
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_smooth_root_is_found_to_the_last_digits_in_a_few_steps) {
+  auto const root = bracketed_newton(cube_less(2.0), 0.0, 2.0, 1.0, 0.0);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(root.x == std::cbrt(2.0), bt::tolerance(2 * eps));
+  BOOST_TEST(root.iterations <= 8);  // digits double: 1, 2, 4, 8, 16 and one step to see it
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_may_come_in_any_order) {
+  auto const falling = [](double x) { return WithDerivative<double>{2.0 - x * x * x, -3.0 * x * x}; };
+  BOOST_TEST(bracketed_newton(cube_less(2.0), 0.0, 2.0, 0.5, 1e-14).x == std::cbrt(2.0), bt::tolerance(4 * eps));
+  BOOST_TEST(bracketed_newton(falling, 2.0, 0.0, 0.5, 1e-14).x == std::cbrt(2.0), bt::tolerance(4 * eps));
+}
+
+BOOST_AUTO_TEST_CASE(a_step_that_leaves_the_bracket_is_not_taken) {
+  // Newton's iteration for atan diverges from |x| > 1.39.
+  std::set<double> asked;
+  auto const f = [&asked](double x) {
+    asked.insert(x);
+    return WithDerivative<double>{std::atan(x - 1.0), 1.0 / (1.0 + (x - 1.0) * (x - 1.0))};
+  };
+  auto const root = bracketed_newton(f, -40.0, 50.0, 45.0, 1e-13);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(root.x == 1.0, bt::tolerance(1e-13));
+  BOOST_TEST(*asked.begin() > -40.0);
+  BOOST_TEST(*asked.rbegin() < 50.0);
+  BOOST_TEST(asked.size() == static_cast<std::size_t>(root.iterations));
+}
+
+BOOST_AUTO_TEST_CASE(the_equation_may_be_singular_at_the_ends) {
+  // log(x/(1 - x)): minus and plus infinity at 0 and 1; root 1/2.
+  auto const f = [](double x) { return WithDerivative<double>{std::log(x / (1.0 - x)), 1.0 / (x * (1.0 - x))}; };
+  for (double const start : {1e-12, 0.3, 1.0 - 1e-12}) {
+    auto const root = bracketed_newton(f, 0.0, 1.0, start, 1e-15);
+    BOOST_TEST(root.converged);
+    BOOST_TEST(root.x == 0.5, bt::tolerance(2 * eps));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_root_at_an_end_is_found) {
+  auto const f = [](double x) { return WithDerivative<double>{x * x, 2.0 * x}; };  // double root at 0
+  auto const root = bracketed_newton(f, 0.0, 1.0, 1.0, 1e-12);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(std::abs(root.x) <= 2e-12);
+  BOOST_TEST(root.x >= 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_useless_slope_leaves_bisection) {
+  auto const jump = [](double x) { return WithDerivative<double>{x < 0.3 ? -1.0 : 1.0, 0.0}; };
+  auto const root = bracketed_newton(jump, 0.0, 1.0, 0.5, 1e-12);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(root.x == 0.3, bt::tolerance(1e-11));
+  BOOST_TEST(root.iterations <= 42);  // 1e-12 = 2^-40
+}
+
+BOOST_AUTO_TEST_CASE(a_flat_root_takes_no_more_than_the_bound) {
+  auto const flat = [](double x) {
+    double const y = x - 0.7;
+    return WithDerivative<double>{std::pow(y, 9), 9 * std::pow(y, 8)};
+  };
+  auto const root = bracketed_newton(flat, 0.0, 1.0, 0.01, 1e-10);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(std::abs(root.x - 0.7) < 1e-9);  // the ninth root: a step is a ninth of the error
+}
+
+BOOST_AUTO_TEST_CASE(a_bracket_of_one_point_is_its_root_whatever_the_equation_answers) {
+  auto const f = [](double) { return WithDerivative<double>{nan, nan}; };
+  auto const root = bracketed_newton(f, 3.0, 3.0, 3.0, 1e-12);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(root.x == 3.0);
+  BOOST_TEST(root.iterations == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_bracket_that_is_not_finite_is_reported) {
+  BOOST_TEST(!bracketed_newton(cube_less(2.0), nan, 2.0, nan, 1e-12).converged);
+}
+
+BOOST_AUTO_TEST_CASE(every_lane_finds_its_own_root_and_the_count_is_that_of_the_slowest) {
+  Lanes a;
+  for (int lane = 0; lane < lanes; ++lane) a.set(lane, std::pow(10.0, lane - 4));
+  auto const root = bracketed_newton(cube_less(a), Lanes(0.0), 100.0, 1.0, 1e-15);
+  BOOST_TEST(root.converged);
+  int slowest = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    auto const alone = bracketed_newton(cube_less(a[lane]), 0.0, 100.0, 1.0, 1e-15);
+    slowest = std::max(slowest, alone.iterations);
+    BOOST_TEST(root.x[lane] == std::cbrt(a[lane]), bt::tolerance(1e-14));
+    BOOST_TEST(root.x[lane] == alone.x, bt::tolerance(4 * eps));
+  }
+  BOOST_TEST(std::abs(root.iterations - slowest) <= 1);  // a last unit may take one step more
+}
+
+BOOST_AUTO_TEST_CASE(a_lane_that_fails_leaves_its_neighbours_alone) {
+  Lanes a = 2.0, end = 2.0;
+  auto const healthy = bracketed_newton(cube_less(a), Lanes(0.0), end, 1.0, 1e-15);
+  end.set(3, nan);
+  auto const root = bracketed_newton(cube_less(a), Lanes(0.0), end, 1.0, 1e-15);
+  BOOST_TEST(healthy.converged);
+  BOOST_TEST(!root.converged);
+  BOOST_TEST(root.iterations == root_iteration_limit);
+  for (int lane = 0; lane < lanes; ++lane)
+    if (lane != 3) BOOST_TEST(root.x[lane] == healthy.x[lane]);
+}
+
+BOOST_AUTO_TEST_CASE(a_root_of_duals_carries_the_derivatives_of_the_implicit_function) {
+  using D = Dual<1, Dual<1>>;
+  D const a = D::variable(Dual<1>::variable(2.0, 0), 0);
+  auto const root = bracketed_newton(cube_less(a), D(0.0), 2.0, 1.0, 0.0);
+  BOOST_TEST(root.converged);
+  double const x = std::cbrt(2.0);  // x = a^(1/3), x' = x/(3 a), x'' = -2 x/(9 a^2)
+  BOOST_TEST(root.x.value.value == x, bt::tolerance(4 * eps));
+  BOOST_TEST(root.x.derivative(0).value == x / 6, bt::tolerance(8 * eps));
+  BOOST_TEST(root.x.derivative(0).derivative(0) == -x / 18, bt::tolerance(16 * eps));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
