@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/roots.hpp"
+#include "models/laws/parts/ellipse.hpp"
+
+namespace talus::law {
+
+/// Where the return map ends, and how many evaluations of the equation its slowest lane took.
+template <Scalar T>
+struct MappedStress {
+  EllipsePoint<T> at;
+  int iterations;
+  bool converged;
+};
+
+/// The rate-independent return map of modified Cam-Clay: associated flow onto an ellipse that hardens, in one unknown.
+///
+///   eps_V = eps_V,n + (p - p_tr)/K,   p_c = p_c(eps_V),   x = p - (1 - beta)/2 p_c,   a = (1 + beta)/2 p_c
+///   (p_tr - p)/(2 K M^2 x) = (q_tr - q)/(2 G q)                 normality, both sides the plastic multiplier   (1)
+///   q(p) = q_tr x / (x + kappa (p_tr - p)),   kappa = G/(K M^2)                            (1) solved for q    (2)
+///   r(p) = sqrt(q(p)^2 + M^2 x^2) - M a = 0                                                                    (3)
+///
+/// Bracket: with side = sign(x_tr), r > 0 at p_tr, and r < 0 wherever side x <= 0, as at x_n = 0: if p_tr is above the
+/// apex pressure the strength can only grow on the way to the surface, if below only shrink, so that the apex never
+/// leaves the bracket. The search cannot fail, and what it returns lies on the surface whatever happened.
+/// Start: with p_c frozen both coordinates shrink as 1/(1 + multiplier), and the inverse radius is all but linear in
+/// the multiplier; one Newton step for it is within a few per cent of the root. Everything is homogeneous in the
+/// stresses, so they need no scaling. Cost: one strength, two divisions, one root an evaluation; about four
+/// evaluations. Source: flow rule and hardening as in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; start
+/// after Moré & Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
+template <class Hardening>
+struct CamClayMap {
+  static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
+
+  Ellipse const& surface;
+  Hardening const& hardening;
+  double K, G;
+
+  /// From the trial stress (p_tr, q_tr), q_tr > 0, above the surface of strength p_c_n = p_c(eps_V_n). Lanes that are
+  /// not `plastic` are done at once, and their result means nothing.
+  template <Scalar T, class Condition>
+  [[nodiscard]] MappedStress<T> operator()(T p_tr, T q_tr, T eps_V_n, T p_c_n, Condition plastic) const {
+    T const x_tr = p_tr - surface.centre(p_c_n);
+    T const side = select<T>(x_tr < T(0.0), -1.0, 1.0);
+    auto const strength = [&](T p) { return hardening.strength(T(eps_V_n + T(1 / K) * (p - p_tr)), K); };
+    auto const outward = [&](T p, T p_c) { return max(T(0.0), T(side * (p - surface.centre(p_c)))); };
+
+    double const M = surface.M, M2 = M * M, kappa = G / (K * M2);
+    // r and r', both times the radius: the same step, one division less
+    auto const residual = [&](T p) -> WithDerivative<T> {
+      T const p_c = strength(p), dp_c = T(1 / K) * hardening.slope(p_c, K);
+      T const x = outward(p, p_c), dx = side * (T(1.0) - surface.centre(dp_c));
+      T const drop = T(kappa) * side * (p_tr - p), inverse = T(1.0) / (x + drop);
+      T const q = q_tr * x * inverse;  // (2)
+      T const dq = q_tr * (dx * drop + T(kappa) * side * x) * inverse * inverse;
+      T const radius = sqrt(T(q * q + T(M2) * x * x));
+      return {radius * (radius - T(M) * surface.half_width(p_c)),  // (3)
+              q * dq + T(M2) * x * dx - T(M) * radius * surface.half_width(dp_c)};
+    };
+
+    T const inner = select<T>(plastic, surface.centre(p_c_n), p_tr);
+    auto const root =
+        bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(tolerance) * p_c_n);
+
+    T const p_c = strength(root.x);
+    EllipsePoint<T> at = surface.at(root.x, p_c);
+    // near cap and tip S follows from p with half its digits, and from the flow rule with all of them
+    T const x = outward(root.x, p_c), drop = T(kappa) * side * (p_tr - root.x);
+    T const by_flow = min(T(T(1 / M) * q_tr * x / (x + drop)), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
+    at.S = select<T>(x > at.S, by_flow, at.S);
+    return {at, root.iterations, root.converged};
+  }
+
+ private:
+  /// Pressure after one Newton step for 1/radius in u = 2 K M^2 dlambda, from u = 0, with frozen strength.
+  template <Scalar T>
+  [[nodiscard]] T start(T x_tr, T q_tr, T p_c_n, T inner, T p_tr) const {
+    double const M2 = surface.M * surface.M, kappa = G / (K * M2);
+    T const Mx2 = T(M2) * x_tr * x_tr, q2 = q_tr * q_tr;
+    T const radius = sqrt(T(Mx2 + q2)), wanted = T(surface.M) * surface.half_width(p_c_n);
+    T const u = (radius / wanted - T(1.0)) * ((Mx2 + q2) / (Mx2 + T(kappa) * q2));
+    return inner + (p_tr - inner) / (T(1.0) + max(T(0.0), u));
+  }
+};
+
+}  // namespace talus::law

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/config/parameters.hpp"
+#include "core/scalar.hpp"
+
+namespace talus::law {
+
+/// Strength and factor of a hardening law, and the range in which a strength is used.
+///
+///   1e-9 p_c0 <= p_c <= 10 K
+///
+/// Below, a particle is loose: it keeps its plastic strain and carries next to nothing. At the upper end it is taken as
+/// elastic: pressures of the order of the bulk modulus K are beyond any model of grains.
+struct Strength {
+  struct Parameters {
+    double p_c0 = 100, xi = 50;
+    static constexpr auto table() {
+      return std::tuple{
+          parameter(&Parameters::p_c0, "p_c0", "p_c^0", "Pa", "initial compressive strength", positive),
+          parameter(&Parameters::xi, "xi", "xi", "1", "hardening factor; 0: the strength stays as it is", non_negative),
+      };
+    }
+  };
+
+  double p_c0, xi;
+  explicit Strength(Parameters const& p) : p_c0(p.p_c0), xi(p.xi) {}
+
+  [[nodiscard]] double floor() const { return std::max(1e-9 * p_c0, 1e-100); }  // its square is a number
+  [[nodiscard]] static double ceiling(double K) { return 10 * K; }
+
+  template <Scalar T>
+  [[nodiscard]] T limited(T p_c, double K) const {
+    return max(T(floor()), min(T(ceiling(K)), p_c));
+  }
+  /// `slope` where the strength is free to change, 0 at the ends of its range.
+  template <Scalar T>
+  [[nodiscard]] T where_free(T slope, T p_c, double K) const {
+    return select<T>(p_c > T(floor()) && p_c < T(ceiling(K)), slope, T(0.0));
+  }
+};
+
+/// p_c = p_c0 exp(-xi eps_V^P).
+///
+/// eps_V^P [1]: plastic volumetric strain, positive in dilation; K [Pa]: bulk modulus, for the range alone.
+/// Source: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643.
+struct ExponentialHardening : Strength {
+  using Strength::Strength;
+
+  template <Scalar T>
+  [[nodiscard]] T strength(T eps_V, double K) const {
+    return limited(T(p_c0 * exp(min(T(700.0), T(-xi * eps_V)))), K);
+  }
+  /// dp_c/deps_V^P where the strength is p_c [Pa].
+  template <Scalar T>
+  [[nodiscard]] T slope(T p_c, double K) const {
+    return where_free(T(-xi * p_c), p_c, K);
+  }
+};
+
+/// p_c = K sinh(s + asinh(p_c0/K)) = p_c0 + 1/2 (h + p_c0)(e^s - 1) + 1/2 (h - p_c0)(1 - e^-s),
+/// s = -xi eps_V^P,   h = sqrt(K^2 + p_c0^2).
+///
+/// For p_c0 << K all strength is lost after a dilation of p_c0/(K xi). Symbols as above.
+/// Source: Gaume et al. (2018), doi:10.1038/s41467-018-05181-w.
+struct HyperbolicSineHardening : Strength {
+  using Strength::Strength;
+
+  template <Scalar T>
+  [[nodiscard]] T strength(T eps_V, double K) const {
+    T const s = max(T(-20.0), min(T(60.0), T(-xi * eps_V)));  // both ends are beyond the range of p_c
+    T const u = expm1(s), v = u / (u + T(1.0));               // e^s - 1, 1 - e^-s
+    double const h = std::hypot(K, p_c0);
+    return limited(T(p_c0 + 0.5 * (h + p_c0) * u + 0.5 * (h - p_c0) * v), K);
+  }
+  /// dp_c/deps_V^P = -xi sqrt(K^2 + p_c^2) where the strength is p_c [Pa].
+  template <Scalar T>
+  [[nodiscard]] T slope(T p_c, double K) const {
+    return where_free(T(-xi * sqrt(T(p_c * p_c + T(K * K)))), p_c, K);
+  }
+};
+
+}  // namespace talus::law
