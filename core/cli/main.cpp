@@ -1,0 +1,206 @@
+/// The program `talus`: verbs, options, and exit codes. All else is in core/cli/*.cpp and, for the models, behind
+/// program().
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "build_info.hpp"
+#include "core/cli/runner.hpp"
+#include "core/cli/show.hpp"
+#include "core/io/files.hpp"
+#include "core/io/pictures.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+/// What the verbs share.
+struct Arguments {
+  std::string file, kind, name, folder, until;
+  std::vector<std::string> files, assignments;
+  RunOptions run;
+  bool json = false, all = false;
+};
+
+std::filesystem::path default_folder(std::string const& file) {
+  return std::filesystem::path("runs") / std::filesystem::path(file).stem();
+}
+
+int report(RunResult const& result, Arguments const& arguments) {
+  if (arguments.json)
+    fmt::print("{}\n", result.summary.dump(2));
+  else {
+    if (!result.verdicts.empty()) fmt::print("{}", verdict_table(result.verdicts));
+    fmt::print("results in {}\n", arguments.run.folder.string());
+  }
+  return result.code;
+}
+
+int run(Arguments& arguments) {
+  std::string given = io::read_file(arguments.file);
+  Document const document = load(arguments.file, arguments.assignments);
+  if (arguments.run.folder.empty()) arguments.run.folder = default_folder(arguments.file);
+  bool const study = is_study(document.value);
+  return report(study ? run_study(document, given, arguments.run) : run_case(document, given, arguments.run),
+                arguments);
+}
+
+using Verb = std::function<int()>;
+
+CLI::App* add_verb(CLI::App& app, Verb& chosen, std::string const& name, std::string const& help,
+                   std::string const& example, Verb verb) {
+  CLI::App* sub = app.add_subcommand(name, help);
+  sub->footer("Example:\n  " + example);
+  sub->callback([&chosen, verb = std::move(verb)] { chosen = verb; });
+  return sub;
+}
+
+void add_run_options(CLI::App* verb, Arguments& a) {
+  verb->add_option("-t,--threads", a.run.threads,
+                   "Threads; 0: as many as the machine offers. Results do not depend on it.")
+      ->check(CLI::Range(0, 1024));
+  verb->add_option("--until", a.run.until, "Stop at the first step at or after this time [s] and write a checkpoint.");
+  verb->add_flag("-q,--quiet", a.run.quiet, "No progress.");
+  verb->add_flag("!--no-pictures", a.run.pictures, "Draw no pictures at the end.");
+  verb->add_flag("--json", a.json, "The summary as JSON on standard output.");
+}
+
+void add_running_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
+  CLI::App* verb = add_verb(app, chosen, "run", "Run a case, or every case of a study.",
+                            "talus run verification/studies/dam_break_22.json -o runs/dam --set /time/end=0.4",
+                            [&a] { return run(a); });
+  verb->add_option("study", a.file, "Document of a case or study")->required();
+  verb->add_option("-o,--output", a.run.folder, "Folder of the run; runs/<name of the document> if not given");
+  verb->add_option("--set", a.assignments, "Change a value: /pointer=value");
+  verb->add_flag("--force", a.run.force, "Replace an earlier run in the folder");
+  add_run_options(verb, a);
+
+  verb = add_verb(app, chosen, "resume", "Go on with a run from its newest checkpoint, with the same bits.",
+                  "talus resume runs/dam", [&a] { return report(resume_case(a.run), a); });
+  verb->add_option("folder", a.run.folder, "Folder of the run")->required();
+  add_run_options(verb, a);
+
+  verb = add_verb(app, chosen, "plot", "Draw the pictures of a run again.", "talus plot runs/dam", [&a] {
+    std::string const trouble = io::draw_pictures(a.run.folder);
+    if (!trouble.empty()) throw FileError(trouble);
+    fmt::print("pictures in {}\n", (a.run.folder / "plots").string());
+    return done;
+  });
+  verb->add_option("folder", a.run.folder, "Folder of the run")->required();
+}
+
+void add_looking_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
+  auto const json = [&a](CLI::App* verb) { verb->add_flag("--json", a.json, "JSON on standard output"); };
+  auto const document = [&a](CLI::App* verb) {
+    verb->add_option("file", a.file, "Document of a case")->required();
+    verb->add_option("--set", a.assignments, "Change a value: /pointer=value");
+  };
+  CLI::App* verb = add_verb(app, chosen, "check", "Find every mistake in documents without running them.",
+                            "talus check my_case.json", [&a] { return check(a.files, a.json); });
+  verb->add_option("files", a.files, "Documents")->required();
+  json(verb);
+
+  verb = add_verb(app, chosen, "explain", "Show what a case is composed of, what it stores, runs and leaves out.",
+                  "talus explain verification/studies/dam_break_22.json", [&a] {
+                    explain(load(a.file, a.assignments), a.json);
+                    return done;
+                  });
+  document(verb);
+  json(verb);
+
+  verb = add_verb(app, chosen, "schema", "Print the JSON Schema (draft-07) of cases and studies.",
+                  "talus schema > talus.schema.json", [] {
+                    fmt::print("{}\n", program().schema().dump(2));
+                    return done;
+                  });
+
+  verb = add_verb(app, chosen, "list", "List the policies, all or of one kind.", "talus list laws", [&a] {
+    list(a.kind, a.json);
+    return done;
+  });
+  verb->add_option("kind", a.kind, "Kind of policy");
+  json(verb);
+
+  verb = add_verb(app, chosen, "describe", "Describe a policy, or the document of a case or study.",
+                  "talus describe cam_clay", [&a] {
+                    if (a.all)
+                      fmt::print("{}", manual());
+                    else if (a.name.empty())
+                      throw InputError("name a policy, or 'case' or 'study', or give --all");
+                    else
+                      describe(a.name, a.json);
+                    return done;
+                  });
+  verb->add_option("name", a.name, "Name of a policy, or 'case' or 'study'");
+  verb->add_flag("--all", a.all, "The whole manual");
+  json(verb);
+
+  verb = add_verb(app, chosen, "cite", "What to cite for a case.", "talus cite verification/studies/dam_break_22.json",
+                  [&a] {
+                    cite(load(a.file, a.assignments), a.json);
+                    return done;
+                  });
+  document(verb);
+  json(verb);
+}
+
+/// Verbs of other programs: `talus NAME` runs `talus-NAME` beside this one. Returns only where there is none.
+void hand_over(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string const verb = argv[1];
+  std::error_code unknown;
+  auto const other = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / ("talus-" + verb);
+  if (unknown || !std::filesystem::exists(other)) return;
+  execv(other.c_str(), argv + 1);
+}
+
+/// The exit code of what a verb threw; the message goes to standard error.
+int told(std::exception const& error) {
+  fmt::print(stderr, "talus: {}\n", error.what());
+  if (dynamic_cast<InputError const*>(&error) != nullptr) return input_invalid;
+  if (dynamic_cast<RunError const*>(&error) != nullptr) return computation_failed;
+  if (dynamic_cast<CheckpointError const*>(&error) != nullptr) return checkpoint_unusable;
+  if (dynamic_cast<FileError const*>(&error) != nullptr) return file_system_error;
+  fmt::print(stderr, "This is a mistake in Talus; please report it with the command and the document.\n");
+  return internal_error;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  Verb chosen;
+  arguments.run.command_line.assign(argv, argv + argc);
+  CLI::App app{"Talus: the material point method for granular flow, proven and fast."};
+  app.set_version_flag("--version", "talus " + std::string(build_info::version));
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::help);
+  add_running_verbs(app, chosen, arguments);
+  add_looking_verbs(app, chosen, arguments);
+  for (std::string const verb : {"verify", "bench", "point", "report", "compare"})
+    if (argc > 1 && verb == argv[1]) {
+      hand_over(argc, argv);
+      fmt::print(stderr, "talus: '{}' is not in this build\n", verb);
+      return not_in_this_build;
+    }
+  if (argc > 1 && app.get_subcommand_no_throw(argv[1]) == nullptr) hand_over(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& error) {
+    return app.exit(error) == 0 ? done : usage_error;
+  }
+  try {
+    return chosen();
+  } catch (std::exception const& error) {
+    return told(error);
+  }
+}
+
+}  // namespace talus::cli
+
+int main(int argc, char** argv) {
+  return talus::cli::main(argc, argv);
+}

@@ -1,0 +1,68 @@
+#pragma once
+/// A composed case at run time, whatever its dimension: what running, resuming and explaining need of it.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/checkpoint.hpp"
+#include "core/time_step.hpp"
+
+namespace talus {
+
+/// A quantity of the time series.
+struct Quantity {
+  std::string name, symbol, unit, meaning;
+};
+
+/// What is composed, for people: one line each.
+struct Explanation {
+  struct Line {
+    std::string name, text;
+  };
+  std::vector<Line> policies;  ///< kind of policy and what was chosen
+  std::vector<Line> fields;    ///< field, symbol and size a particle
+  std::vector<Line> stages;    ///< what a step runs, in order
+  std::vector<Line> left_out;  ///< what it does not store, compute or run, and why
+  int dimension = 0;
+  int bytes_per_particle = 0;            ///< of what the step stores
+  double padded_bytes_per_particle = 0;  ///< with the empty lanes of partly filled chunks
+  std::size_t particles = 0, blocks = 0, bytes = 0;
+  double spacing = 0;
+  TimeStep first_step;
+  double wave_speed = 0, courant = 0;  ///< fastest wave [m/s]; c dt / h of the first step
+};
+
+class Experiment {
+ public:
+  Experiment() = default;
+  Experiment(Experiment const&) = delete;
+  virtual ~Experiment() = default;
+
+  [[nodiscard]] virtual double time() const = 0;
+  [[nodiscard]] virtual long steps() const = 0;
+  [[nodiscard]] virtual std::size_t particles() const = 0;
+  /// One step towards `end`, on which the last one lands exactly. Throws RunError.
+  virtual TimeStep advance(double end) = 0;
+  /// Number of particle sorts so far.
+  [[nodiscard]] virtual long sorts() const = 0;
+
+  /// The columns of the series, and their values now.
+  [[nodiscard]] virtual std::vector<Quantity> quantities() const = 0;
+  [[nodiscard]] virtual std::vector<double> measure() const = 0;
+
+  /// What is stored of the particles, in the order of storage.
+  [[nodiscard]] virtual Snapshot state() const = 0;
+  /// That, and what can be computed from it: pressure, shear stress, volume ratio, what the laws derive.
+  [[nodiscard]] virtual Snapshot frame() const = 0;
+
+  /// All that a run needs to go on with the same bits.
+  [[nodiscard]] virtual io::Checkpoint checkpoint() const = 0;
+  /// Takes the state of a checkpoint of the same composition. Throws CheckpointError.
+  virtual void restore(io::Checkpoint const& checkpoint) = 0;
+
+  [[nodiscard]] virtual Explanation explain() const = 0;
+};
+
+}  // namespace talus

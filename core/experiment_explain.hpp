@@ -1,0 +1,64 @@
+#pragma once
+/// What is composed, in words: what core/experiment_of.hpp declares.
+
+#include "core/experiment_of.hpp"
+
+namespace talus {
+
+template <int D>
+Explanation ExperimentOf<D>::explain() const {
+  Scene<D> const& scene = simulation_->scene();
+  Layout const& layout = simulation_->particles().layout();
+  Stages<D> const& stages = *scene.stages;
+  Explanation told;
+  told.policies = policies_;
+  for (Column const& c : layout.columns())
+    told.fields.push_back({std::string(c.info.name), std::string(c.info.symbol) + " [" + std::string(c.info.unit) +
+                                                         "], " + std::to_string(8 * c.components) +
+                                                         " B: " + std::string(c.info.meaning)});
+  auto const when = [](bool yes, std::vector<Explanation::Line>& here, std::vector<Explanation::Line>& there,
+                       Explanation::Line line, Explanation::Line otherwise) {
+    if (yes)
+      here.push_back(std::move(line));
+    else
+      there.push_back(std::move(otherwise));
+  };
+  bool const affine = layout.find("affine_velocity") >= 0;
+  told.stages.push_back({"load", "stress of each particle from its elastic strain"});
+  told.stages.push_back({"particles to grid", std::string("mass, momentum") + (affine ? " with affine term" : "") +
+                                                  ", internal force" +
+                                                  (stages.friction ? ", friction of the material" : "")});
+  told.stages.push_back({"grid", "arenas summed in fixed order, nodes accelerated"});
+  when(!scene.walls.empty(), told.stages, told.left_out,
+       {"walls", std::to_string(scene.walls.size()) + " walls, only at nodes near them"}, {"walls", "there are none"});
+  when(stages.remaps, told.stages, told.left_out, {"remap", "moved particles back to the grid, walls again (MUSL)"},
+       {"remap", "the integrator takes the gradient from the moved nodes"});
+  told.stages.push_back({"grid to particles", "velocity, position, dt L"});
+  told.stages.push_back({"law", "trial strain, return map, state"});
+  when(affine, told.fields, told.left_out, {}, {"affine velocity", "not stored: the transfer's mode is constant"});
+  if (affine) told.fields.pop_back();
+  when(stages.vectors == 2, told.stages, told.left_out,
+       {"second node vector", "impulse, and the velocity before the step"},
+       {"second node vector", "no increment, remap or friction asks for the velocity before the step"});
+  when(stages.friction, told.stages, told.left_out, {"friction field", "mu of the material on the nodes"},
+       {"friction field", "no wall takes its friction from the material"});
+  told.left_out.push_back({"stress, deformation gradient", "never stored: the elastic strain gives both"});
+  bool const periodic = std::any_of(scene.periods.begin(), scene.periods.end(), [](auto n) { return n > 0; });
+  if (!periodic) told.left_out.push_back({"periodicity", "no axis repeats"});
+  told.dimension = D;
+  told.bytes_per_particle = layout.bytes_per_particle();
+  std::ptrdiff_t slots = 0;
+  for (Run const& run : simulation_->particles().runs()) slots += std::ptrdiff_t{run.chunks()} * lanes;
+  told.padded_bytes_per_particle = told.bytes_per_particle * double(slots) / double(particles());
+  told.particles = particles();
+  told.blocks = simulation_->grid().particle_blocks();
+  told.bytes = simulation_->bytes();
+  told.spacing = scene.spacing;
+  told.first_step = simulation_->next(std::numeric_limits<double>::infinity());
+  for (auto const& m : scene.materials)
+    told.wave_speed = std::max(told.wave_speed, std::sqrt(m->volumetric_modulus() / m->density));
+  told.courant = told.wave_speed * told.first_step.dt / scene.spacing;
+  return told;
+}
+
+}  // namespace talus

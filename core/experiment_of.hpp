@@ -1,0 +1,68 @@
+#pragma once
+/// The experiment in D dimensions: a simulation, and what is measured, written and explained of it.
+
+#include <algorithm>
+#include <utility>
+
+#include "core/experiment.hpp"
+#include "core/simulation.hpp"
+
+namespace talus {
+
+template <int D>
+class ExperimentOf final : public Experiment {
+ public:
+  /// The simulation has begun. policies: kind and name of every choice, for `explain`.
+  ExperimentOf(std::unique_ptr<Simulation<D>> simulation, std::vector<Explanation::Line> policies)
+      : simulation_(std::move(simulation)), policies_(std::move(policies)), first_front_(front()) {}
+
+  [[nodiscard]] double time() const override { return simulation_->time(); }
+  [[nodiscard]] long steps() const override { return simulation_->step_count(); }
+  [[nodiscard]] std::size_t particles() const override { return simulation_->particles().count(); }
+  [[nodiscard]] long sorts() const override { return simulation_->sorts(); }
+  TimeStep advance(double end) override {
+    simulation_->advance(end);
+    return simulation_->last_step();
+  }
+
+  [[nodiscard]] std::vector<Quantity> quantities() const override;
+  [[nodiscard]] std::vector<double> measure() const override;
+  [[nodiscard]] Snapshot state() const override;
+  [[nodiscard]] Snapshot frame() const override;
+  [[nodiscard]] io::Checkpoint checkpoint() const override;
+  void restore(io::Checkpoint const& checkpoint) override;
+  [[nodiscard]] Explanation explain() const override;
+
+ private:
+  [[nodiscard]] double front() const {
+    double x = -std::numeric_limits<double>::infinity();
+    int const at = simulation_->particles().layout().find(field::position);
+    simulation_->particles().for_each(
+        [&](std::ptrdiff_t slot, int) { x = std::max(x, simulation_->particles().get(slot, at)); });
+    return x;
+  }
+  /// Calls f(material, batch, first particle's number) for every run.
+  template <class F>
+  void for_each_run(F const& f) const {
+    std::size_t first = 0;
+    for (Run const& run : simulation_->particles().runs()) {
+      auto const place = simulation_->grid().particle_block(static_cast<std::size_t>(run.block));
+      Scene<D> const& scene = simulation_->scene();
+      f(*scene.materials[static_cast<std::size_t>(run.material)],
+        simulation_->particles().batch(run, scene.spacing, place), first);
+      first += static_cast<std::size_t>(run.particles);
+    }
+  }
+  void add_derived(Snapshot& snapshot) const;
+  [[nodiscard]] double volume() const;
+
+  std::unique_ptr<Simulation<D>> simulation_;
+  std::vector<Explanation::Line> policies_;
+  double first_front_;
+};
+
+}  // namespace talus
+
+#include "core/experiment_checkpoint.hpp"
+#include "core/experiment_explain.hpp"
+#include "core/experiment_measure.hpp"

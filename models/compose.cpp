@@ -1,0 +1,187 @@
+#include "models/compose.hpp"
+
+#include <numbers>
+
+#include "core/experiment_of.hpp"
+#include "models/boundaries/make_wall.hpp"
+#include "models/make.hpp"
+
+namespace talus {
+
+namespace {
+
+/// Runs f and puts the pointer of the document before what it refuses.
+template <class F>
+auto located(std::string const& pointer, F const& f) {
+  try {
+    return f();
+  } catch (InputError const& error) {
+    throw InputError(pointer + ": " + error.what());
+  }
+}
+
+/// Slope in degrees: the first axis points down the slope.
+template <int D>
+Point<D> gravity_of(GravityEntry const& entry) {
+  double const theta = entry.slope_deg * std::numbers::pi / 180;
+  Point<D> g = Point<D>::Zero();
+  g[0] = entry.magnitude * std::sin(theta);
+  g[1] = -entry.magnitude * std::cos(theta);
+  return g;
+}
+
+template <int D>
+std::unique_ptr<Stages<D>> stages_of(Case const& document) {
+  bool rubs = false;
+  for (WallEntry const& entry : document.walls) rubs = rubs || entry.contact.holds<wall::MaterialFriction>();
+  std::unique_ptr<Stages<D>> stages;
+  document.kernel.visit([&]<class K>(std::type_identity<K>, auto const&) {
+    document.transfer.visit([&]<class T>(std::type_identity<T>, auto const& parameters) {
+      document.integrator.visit([&]<class I>(std::type_identity<I>, auto const&) {
+        if constexpr (fit_together<K, T>) stages = make_stages<D, K, T, I>(parameters, rubs);
+      });
+    });
+  });
+  return stages;
+}
+
+template <int D>
+std::vector<std::unique_ptr<Wall<D>>> walls_of(Case const& document) {
+  std::vector<std::unique_ptr<Wall<D>>> walls;
+  for (std::size_t k = 0; k < document.walls.size(); ++k) {
+    WallEntry const& entry = document.walls[k];
+    entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
+      entry.contact.visit([&]<class C>(std::type_identity<C>, auto const& contact) {
+        entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
+          if constexpr (S::supports(D))
+            walls.push_back(located("/walls/" + std::to_string(k),
+                                    [&] { return wall::make_wall<D, S, C, M>(entry.name, shape, contact, motion); }));
+        });
+      });
+    });
+  }
+  return walls;
+}
+
+/// The particles of one body.
+template <int D>
+struct Filling {
+  body::Seeds<D> seeds;
+  std::vector<Point<D>> velocities;
+  std::vector<Matrix<double, D>> gradients;
+  std::int32_t material = 0;
+  double density = 0;
+};
+
+template <int D>
+Filling<D> fill(BodyEntry const& entry, Case const& document) {
+  Filling<D> filling;
+  entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
+    entry.seeding.visit([&]<class P>(std::type_identity<P>, auto const& seeding) {
+      if constexpr (S::supports(D))
+        filling.seeds = body::seed(typename S::template In<D>(shape), P(seeding), document.grid.spacing);
+    });
+  });
+  entry.velocity.visit([&]<class V>(std::type_identity<V>, auto const& parameters) {
+    typename V::template In<D> const motion(parameters);
+    for (Point<D> const& x : filling.seeds.points) {
+      filling.velocities.push_back(motion.velocity(x));
+      filling.gradients.push_back(motion.gradient(x));
+    }
+  });
+  for (std::size_t m = 0; m < document.materials.size(); ++m)
+    if (document.materials[m].name == entry.material) {
+      filling.material = static_cast<std::int32_t>(m);
+      filling.density = document.materials[m].density;
+    }
+  return filling;
+}
+
+template <int D>
+void put_particles(Simulation<D>& simulation, std::vector<Filling<D>> const& fillings) {
+  Particles<D>& particles = simulation.particles();
+  Layout const& layout = particles.layout();
+  std::vector<Run> runs;
+  for (Filling<D> const& f : fillings) runs.push_back({0, f.material, 0, static_cast<int>(f.seeds.points.size())});
+  particles.allocate(runs, 1);
+  int const affine = layout.find("affine_velocity");
+  std::vector<std::pair<int, double>> start;
+  double id = 0;
+  for (std::size_t b = 0; b < fillings.size(); ++b) {
+    Filling<D> const& f = fillings[b];
+    start.clear();
+    simulation.scene().materials[static_cast<std::size_t>(f.material)]->start(start);
+    for (std::size_t k = 0; k < f.seeds.points.size(); ++k) {
+      std::ptrdiff_t const slot = particles.runs()[b].first_chunk * lanes + static_cast<std::ptrdiff_t>(k);
+      for (int d = 0; d < D; ++d) {
+        particles.set(slot, layout.find(field::position) + d, f.seeds.points[k][d]);
+        particles.set(slot, layout.find(field::velocity) + d, f.velocities[k][d]);
+        for (int j = 0; affine >= 0 && j < D; ++j) particles.set(slot, affine + d * D + j, f.gradients[k](d, j));
+      }
+      particles.set(slot, layout.find(field::mass), f.seeds.volume * f.density);
+      particles.set(slot, layout.find(field::identity), id++);
+      for (auto const& [pack, value] : start) particles.set(slot, pack, value);
+    }
+  }
+}
+
+std::vector<Explanation::Line> policies_of(Case const& document) {
+  std::vector<Explanation::Line> lines;
+  auto const add = [&](std::string const& kind, auto const& choice) {
+    choice.visit([&]<class P>(std::type_identity<P>, auto const&) {
+      lines.push_back({kind, std::string(P::name) + ": " + std::string(P::title)});
+    });
+  };
+  add("kinematics", document.kinematics);
+  add("kernel", document.kernel);
+  add("transfer", document.transfer);
+  add("integrator", document.integrator);
+  for (MaterialEntry const& m : document.materials) add("law of " + m.name, m.law);
+  for (BodyEntry const& b : document.bodies) {
+    add("shape of " + b.name, b.shape);
+    add("seeding of " + b.name, b.seeding);
+    add("velocity of " + b.name, b.velocity);
+  }
+  for (WallEntry const& w : document.walls) {
+    add("shape of " + w.name, w.shape);
+    add("contact of " + w.name, w.contact);
+    add("motion of " + w.name, w.motion);
+  }
+  return lines;
+}
+
+template <class K>
+std::unique_ptr<Experiment> compose_in(Case const& document) {
+  constexpr int D = K::dimension;
+  Scene<D> scene;
+  scene.spacing = document.grid.spacing;
+  for (std::size_t d = 0; d < document.grid.periods.size(); ++d)
+    scene.periods[d] =
+        static_cast<std::int32_t>(std::lround(document.grid.periods[d] / (block_edge * document.grid.spacing)));
+  scene.gravity = gravity_of<D>(document.gravity);
+  scene.limits = {document.time.safety, document.time.crossing, document.time.gradient};
+  scene.strain_size = Symmetric<double, typename K::Shape>::size;
+  for (MaterialEntry const& m : document.materials)
+    m.law.visit([&]<class L>(std::type_identity<L>, auto const& parameters) {
+      scene.materials.push_back(make_material<K, L>(m.name, m.density, parameters));
+    });
+  scene.walls = walls_of<D>(document);
+  scene.stages = stages_of<D>(document);
+  std::vector<Filling<D>> fillings;
+  for (std::size_t k = 0; k < document.bodies.size(); ++k)
+    fillings.push_back(located("/bodies/" + std::to_string(k), [&] { return fill<D>(document.bodies[k], document); }));
+  auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
+  put_particles(*simulation, fillings);
+  simulation->begin();
+  return std::make_unique<ExperimentOf<D>>(std::move(simulation), policies_of(document));
+}
+
+}  // namespace
+
+std::unique_ptr<Experiment> compose(Case const& document) {
+  std::unique_ptr<Experiment> experiment;
+  document.kinematics.visit([&]<class K>(std::type_identity<K>, auto const&) { experiment = compose_in<K>(document); });
+  return experiment;
+}
+
+}  // namespace talus

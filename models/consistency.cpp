@@ -1,0 +1,119 @@
+#include <cmath>
+#include <set>
+
+#include "models/compose.hpp"
+#include "models/make.hpp"
+
+namespace talus {
+
+namespace {
+
+using Mistakes = std::vector<std::string>;
+
+std::string at(std::string const& list, std::size_t k, std::string const& member) {
+  return "/" + list + "/" + std::to_string(k) + "/" + member;
+}
+
+void check_schema(Case const& document, Mistakes& wrong) {
+  if (document.schema != Case::tag)
+    wrong.push_back("/schema: found '" + document.schema + "'; this program reads " + std::string(Case::tag));
+}
+
+void check_periods(Case const& document, int D, Mistakes& wrong) {
+  auto const& periods = document.grid.periods;
+  if (periods.empty()) return;
+  if (periods.size() != static_cast<std::size_t>(D)) {
+    wrong.push_back("/grid/periods: found " + std::to_string(periods.size()) + " numbers; one for each of the " +
+                    std::to_string(D) + " axes is needed");
+    return;
+  }
+  double const block = block_edge * document.grid.spacing;
+  for (std::size_t d = 0; d < periods.size(); ++d) {
+    double const blocks = periods[d] / block;
+    if (std::abs(blocks - std::round(blocks)) > 1e-9 * std::max(1.0, blocks))
+      wrong.push_back("/grid/periods/" + std::to_string(d) + ": " + std::to_string(periods[d]) +
+                      " m is no multiple of four cells (" + std::to_string(block) + " m); the nearest are " +
+                      std::to_string(std::floor(blocks) * block) + " and " + std::to_string(std::ceil(blocks) * block));
+  }
+}
+
+template <class List>
+void check_names(List const& list, std::string const& where, Mistakes& wrong) {
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (!seen.insert(list[k].name).second)
+      wrong.push_back(at(where, k, "name") + ": '" + list[k].name + "' is used twice; every name must be its own");
+}
+
+void check_bodies(Case const& document, int D, Mistakes& wrong) {
+  for (std::size_t k = 0; k < document.bodies.size(); ++k) {
+    BodyEntry const& body = document.bodies[k];
+    bool known = false;
+    std::string names;
+    for (MaterialEntry const& m : document.materials) {
+      known = known || m.name == body.material;
+      names += (names.empty() ? "" : ", ") + m.name;
+    }
+    if (!known)
+      wrong.push_back(at("bodies", k, "material") + ": '" + body.material + "' is no material; there are: " + names);
+    body.shape.visit([&]<class S>(std::type_identity<S>, auto const&) {
+      if (!S::supports(D))
+        wrong.push_back(at("bodies", k, "shape") + ": a " + std::string(S::name) + " is not for " + std::to_string(D) +
+                        " dimensions");
+    });
+  }
+}
+
+void check_walls(Case const& document, int D, Mistakes& wrong) {
+  for (std::size_t k = 0; k < document.walls.size(); ++k) {
+    WallEntry const& entry = document.walls[k];
+    entry.shape.visit([&]<class S>(std::type_identity<S>, auto const&) {
+      if (!S::supports(D))
+        wrong.push_back(at("walls", k, "shape") + ": a " + std::string(S::name) + " is not for " + std::to_string(D) +
+                        " dimensions");
+    });
+    if (!entry.contact.holds<wall::MaterialFriction>()) continue;
+    for (MaterialEntry const& m : document.materials)
+      m.law.visit([&]<class L>(std::type_identity<L>, auto const&) {
+        if (!HasFriction<L>)
+          wrong.push_back(at("walls", k, "contact") + ": the law '" + std::string(L::name) + "' of material '" +
+                          m.name + "' has no friction that a wall could take");
+      });
+  }
+}
+
+void check_transfer(Case const& document, Mistakes& wrong) {
+  document.kernel.visit([&]<class K>(std::type_identity<K>, auto const&) {
+    document.transfer.visit([&]<class T>(std::type_identity<T>, auto const&) {
+      if (!fit_together<K, T>)
+        wrong.push_back("/transfer/type: '" + std::string(T::name) + "' cannot be used with the " +
+                        std::string(K::name) + " kernel, whose affine inertia is singular at nodes; take pic or flip");
+    });
+  });
+}
+
+}  // namespace
+
+int dimension_of_kinematics(std::string_view name) {
+  int D = 0;
+  for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
+    if (K::name == name) D = K::dimension;
+  });
+  return D;
+}
+
+std::vector<std::string> inconsistencies(Case const& document) {
+  Mistakes wrong;
+  int const D = dimension_of_kinematics(document.kinematics.name());
+  check_schema(document, wrong);
+  check_periods(document, D, wrong);
+  check_transfer(document, wrong);
+  check_names(document.materials, "materials", wrong);
+  check_names(document.bodies, "bodies", wrong);
+  check_names(document.walls, "walls", wrong);
+  check_bodies(document, D, wrong);
+  check_walls(document, D, wrong);
+  return wrong;
+}
+
+}  // namespace talus
