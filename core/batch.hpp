@@ -12,7 +12,7 @@ namespace talus {
 inline constexpr int block_edge = 4;
 
 /// Places of the fields that every scene may have, in packs from a chunk's start; -1 where not stored.
-struct Places {
+struct FieldOffsets {
   int position = -1, velocity = -1, mass = -1, strain = -1, affine = -1, identity = -1;
 };
 
@@ -24,7 +24,7 @@ struct Batch {
   int count = 0;      ///< chunks
   int particles = 0;  ///< particles, at most count * lanes
   int stride = 0;     ///< packs from one chunk to the next
-  Places at;
+  FieldOffsets at;
   double spacing = 0;           ///< h [m]
   std::array<double, D> first;  ///< the arena's first node, in units of h
 

@@ -18,22 +18,22 @@ namespace talus {
 
 /// Place of a block: its first node is block_edge * place.
 template <int D>
-using Place = std::array<std::int32_t, static_cast<std::size_t>(D)>;
+using BlockIndex = std::array<std::int32_t, static_cast<std::size_t>(D)>;
 
 /// Blocks further than this from the origin are refused: 2^20 blocks of 4 cells.
 inline constexpr std::int32_t farthest_block = 1 << 20;
 
 /// The number under which a block is known and by which blocks are ordered: the first axis counts most.
 template <int D>
-constexpr std::uint64_t key_of(Place<D> const& place) {
+constexpr std::uint64_t key_of(BlockIndex<D> const& place) {
   std::uint64_t key = 0;
   for (int d = 0; d < D; ++d)
     key = (key << 21) | static_cast<std::uint64_t>(place[static_cast<std::size_t>(d)] + farthest_block);
   return key;
 }
 template <int D>
-constexpr Place<D> place_of(std::uint64_t key) {
-  Place<D> place{};
+constexpr BlockIndex<D> place_of(std::uint64_t key) {
+  BlockIndex<D> place{};
   for (int d = D - 1; d >= 0; --d, key >>= 21)
     place[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(key & ((1U << 21) - 1)) - farthest_block;
   return place;
@@ -44,8 +44,8 @@ inline constexpr int neighbour_count = D == 2 ? 9 : 27;
 
 /// Step o_d in {-1, 0, 1} to neighbour number n; the last axis runs fastest.
 template <int D>
-constexpr Place<D> neighbour_step(int n) {
-  Place<D> step{};
+constexpr BlockIndex<D> neighbour_step(int n) {
+  BlockIndex<D> step{};
   for (int d = D - 1; d >= 0; --d, n /= 3) step[static_cast<std::size_t>(d)] = n % 3 - 1;
   return step;
 }
@@ -57,7 +57,7 @@ class BlockGrid {
   using Neighbours = std::array<std::int32_t, static_cast<std::size_t>(neighbour_count<D>)>;
 
   /// periods: number of blocks after which an axis repeats, 0 where it does not.
-  explicit BlockGrid(Place<D> periods = {}) : periods_(periods) {}
+  explicit BlockGrid(BlockIndex<D> periods = {}) : periods_(periods) {}
 
   /// Builds the tables for particle blocks with these keys (sorted, each once).
   void build(std::vector<std::uint64_t> keys) {
@@ -69,16 +69,16 @@ class BlockGrid {
   [[nodiscard]] std::size_t particle_blocks() const { return particle_keys_.size(); }
   [[nodiscard]] std::size_t node_blocks() const { return node_keys_.size(); }
   [[nodiscard]] std::vector<std::uint64_t> const& particle_keys() const { return particle_keys_; }
-  [[nodiscard]] Place<D> particle_block(std::size_t b) const { return place_of<D>(particle_keys_[b]); }
-  [[nodiscard]] Place<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
+  [[nodiscard]] BlockIndex<D> particle_block(std::size_t b) const { return place_of<D>(particle_keys_[b]); }
+  [[nodiscard]] BlockIndex<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
   /// Node blocks around particle block b, by neighbour number.
   [[nodiscard]] Neighbours const& nodes_around(std::size_t b) const { return nodes_around_[b]; }
   /// Particle block whose neighbour number n is node block b; -1 where there is none.
   [[nodiscard]] Neighbours const& particles_around(std::size_t b) const { return particles_around_[b]; }
-  [[nodiscard]] Place<D> const& periods() const { return periods_; }
+  [[nodiscard]] BlockIndex<D> const& periods() const { return periods_; }
 
   /// A place brought back into the period.
-  [[nodiscard]] Place<D> wrap(Place<D> place) const {
+  [[nodiscard]] BlockIndex<D> wrap(BlockIndex<D> place) const {
     for (int d = 0; d < D; ++d) {
       auto& c = place[static_cast<std::size_t>(d)];
       std::int32_t const n = periods_[static_cast<std::size_t>(d)];
@@ -88,9 +88,9 @@ class BlockGrid {
   }
 
  private:
-  Place<D> moved(std::uint64_t key, int neighbour, int sign) const {
-    Place<D> place = place_of<D>(key);
-    Place<D> const step = neighbour_step<D>(neighbour);
+  BlockIndex<D> moved(std::uint64_t key, int neighbour, int sign) const {
+    BlockIndex<D> place = place_of<D>(key);
+    BlockIndex<D> const step = neighbour_step<D>(neighbour);
     for (int d = 0; d < D; ++d) place[static_cast<std::size_t>(d)] += sign * step[static_cast<std::size_t>(d)];
     return wrap(place);
   }
@@ -120,7 +120,7 @@ class BlockGrid {
             find(particle_keys_, key_of<D>(moved(node_keys_[b], n, -1)));
   }
 
-  Place<D> periods_;
+  BlockIndex<D> periods_;
   std::vector<std::uint64_t> particle_keys_, node_keys_;
   std::vector<Neighbours> nodes_around_, particles_around_;
 };

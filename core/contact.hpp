@@ -37,15 +37,15 @@ inline constexpr std::size_t most_touches = 16;
 ///   separates and v_n >= 0:            v' = v, bit by bit                               (2)
 ///   else                               v' = w + max(0, 1 - mu |v_n| / |v_t|) v_t        (3)
 ///
-/// Coulomb friction of the impulse |v_n| that the wall gives to a unit mass; the direction of v_t is kept. Applied twice
-/// it adds no more than round-off. A velocity that is no number stays so, but for (1).
+/// Coulomb friction of the impulse |v_n| that the wall gives to a unit mass; the direction of v_t is kept. Applied
+/// twice it adds no more than round-off. A velocity that is no number stays so, but for (1).
 template <int D>
 [[nodiscard]] Point<D> allowed_by(Touch<D> const& touch, Point<D> const& v) {
   if (touch.rule.sticks) return touch.wall_velocity;  // (1)
   Point<D> const v_r = v - touch.wall_velocity;
   double const v_n = touch.normal.dot(v_r);
-  if (touch.rule.separates && !(v_n < 0)) return v;                  // (2)
-  if (!(touch.friction > 0)) return v - v_n * touch.normal;          // (3), mu = 0
+  if (touch.rule.separates && !(v_n < 0)) return v;          // (2)
+  if (!(touch.friction > 0)) return v - v_n * touch.normal;  // (3), mu = 0
   Point<D> const v_t = v_r - v_n * touch.normal;
   double const slip = v_t.norm(), lost = touch.friction * std::abs(v_n);
   if (lost >= slip) return touch.wall_velocity;

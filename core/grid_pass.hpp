@@ -73,7 +73,7 @@ class GridPass {
   /// Calls f(node in block, node in arena) for the overlap with neighbour number n.
   template <class F>
   void for_each_shared(int n, F const& f) const {
-    Place<D> const step = neighbour_step<D>(n);
+    BlockIndex<D> const step = neighbour_step<D>(n);
     int const edge = scene_.stages->arena_edge;
     Overlap const x = overlap(step[0]), y = overlap(step[1]);
     for (int i = x.begin; i < x.end; ++i)
@@ -177,7 +177,7 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
   Point<D>* impulses = impulses_.data() + b * scene_.walls.size();
   if (!again) std::fill_n(impulses, scene_.walls.size(), Point<D>::Zero());
   std::vector<Point<D>> ignored;  // a remap moves no momentum
-  Place<D> const place = grid.node_block(b);
+  BlockIndex<D> const place = grid.node_block(b);
   Point<D> corner;
   for (int d = 0; d < D; ++d) corner[d] = scene_.spacing * block_edge * place[static_cast<std::size_t>(d)];
   std::array<int, 64> near_buffer;

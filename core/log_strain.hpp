@@ -15,6 +15,7 @@
 /// e^(2 s) 1e-16 from there on, for then rounding of the largest entry of b blurs its smallest principal value. The
 /// result is finite for |eps| < 170 and finite H as long as b stays below 1e150: a principal strain is never below
 /// -18.4 = 1/2 ln 2^-53. Digits are gone at s = 18; a caller refuses a state long before (s = 9 leaves 1e-9).
+/// A caller also sees to det(I + H) > 0: b does not tell a reflection.
 /// Source: update (1): Simo & Meschke (1993), Comput. Mech. 11, 253-278, doi:10.1007/BF00371865; functions of matrices:
 /// Higham (2008), Functions of Matrices, ch. 1, doi:10.1137/1.9780898717778.
 

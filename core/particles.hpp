@@ -37,7 +37,7 @@ class Particles {
   [[nodiscard]] std::size_t bytes() const { return (data_.size() + spare_.size()) * sizeof(Lanes); }
 
   /// What a kernel sees of a run.
-  [[nodiscard]] Batch<D> batch(Run const& run, double spacing, Place<D> const& block) {
+  [[nodiscard]] Batch<D> batch(Run const& run, double spacing, BlockIndex<D> const& block) {
     Batch<D> b;
     b.chunks = data_.data() + run.first_chunk * layout_.packs();
     b.count = run.chunks();
@@ -86,7 +86,7 @@ class Particles {
   void park_empty_lanes(BlockGrid<D> const& grid, double spacing, double base_shift);
 
   Layout layout_;
-  Places places_;
+  FieldOffsets places_;
   std::size_t count_ = 0;
   std::ptrdiff_t chunks_ = 0;
   int most_chunks_ = 0;
@@ -114,7 +114,7 @@ void Particles<D>::lay_out(std::size_t blocks) {
 template <int D>
 typename Particles<D>::Bin Particles<D>::bin_of(BlockGrid<D> const& grid, double spacing, double base_shift,
                                                 std::ptrdiff_t slot, int material) {
-  Place<D> place{};
+  BlockIndex<D> place{};
   std::int32_t cell = 0;
   for (int d = 0; d < D; ++d) {
     double const x = get(slot, places_.position + d), base = std::floor(x / spacing - base_shift);
@@ -125,7 +125,7 @@ typename Particles<D>::Bin Particles<D>::bin_of(BlockGrid<D> const& grid, double
     place[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(std::floor(base / block_edge));
     cell = cell * block_edge + static_cast<std::int32_t>(base) - block_edge * place[static_cast<std::size_t>(d)];
   }
-  Place<D> const wrapped = grid.wrap(place);
+  BlockIndex<D> const wrapped = grid.wrap(place);
   for (int d = 0; d < D; ++d)
     if (int const shift = wrapped[static_cast<std::size_t>(d)] - place[static_cast<std::size_t>(d)]; shift != 0)
       set(slot, places_.position + d, get(slot, places_.position + d) + shift * block_edge * spacing);
@@ -197,7 +197,7 @@ void Particles<D>::move_to_spare(std::vector<std::ptrdiff_t> const& slots) {
 template <int D>
 void Particles<D>::park_empty_lanes(BlockGrid<D> const& grid, double spacing, double base_shift) {
   for (Run const& run : runs_) {
-    Place<D> const block = grid.particle_block(static_cast<std::size_t>(run.block));
+    BlockIndex<D> const block = grid.particle_block(static_cast<std::size_t>(run.block));
     for (int k = run.particles; k < run.chunks() * lanes; ++k)
       for (int d = 0; d < D; ++d)
         set(run.first_chunk * lanes + k, places_.position + d,

@@ -24,7 +24,7 @@ inline constexpr int root_iteration_limit = 110;
 
 /// Solves f(x) = 0 between two points where f has opposite signs (or is zero), in any order:
 ///
-///   f(negative) <= 0 <= f(positive),    x <- x - f/f',
+///   f(below) <= 0 <= f(above),    x <- x - f/f',
 ///
 /// where that step stays in the bracket and is at most half the one before the last, else the middle of the bracket.
 ///
@@ -40,23 +40,23 @@ inline constexpr int root_iteration_limit = 110;
 /// Source: safeguards after Dekker (1969), in Constructive Aspects of the Fundamental Theorem of Algebra, 37-48, and
 /// Brent (1973), Algorithms for Minimization without Derivatives, ch. 4, with Newton in place of the secant.
 template <Scalar T, class F>
-[[nodiscard]] Root<T> bracketed_newton(F const& f, T negative, std::type_identity_t<T> positive,
+[[nodiscard]] Root<T> bracketed_newton(F const& f, T below, std::type_identity_t<T> above,
                                        std::type_identity_t<T> start, std::type_identity_t<T> tolerance) {
   constexpr double two_ulp = 2 * std::numeric_limits<double>::epsilon();
   Root<T> root{start};
-  T last = abs(T(positive - negative)), before_last = last;
+  T last = abs(T(above - below)), before_last = last;
   auto active = !(last < T(0.0));  // every lane
   for (; root.iterations < root_iteration_limit; ++root.iterations) {
     if (!any(active)) break;
     WithDerivative<T> const at = f(root.x);
-    auto const is_positive = at.value > T(0.0);
-    positive = select<T>(is_positive, root.x, positive);
-    negative = select<T>(is_positive, negative, root.x);
+    auto const high = at.value > T(0.0);
+    above = select<T>(high, root.x, above);
+    below = select<T>(high, below, root.x);
 
     T const newton = root.x - at.value / at.derivative;
-    auto const inside = newton > min(negative, positive) && newton < max(negative, positive);
+    auto const inside = newton > min(below, above) && newton < max(below, above);
     auto const shrinks = T(2.0) * abs(T(newton - root.x)) <= before_last;
-    T const next = select<T>((inside && shrinks) || newton == root.x, newton, T(0.5) * (negative + positive));
+    T const next = select<T>((inside && shrinks) || newton == root.x, newton, T(0.5) * (below + above));
 
     before_last = last;
     last = abs(T(next - root.x));

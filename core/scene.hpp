@@ -21,7 +21,7 @@ struct StepLimits {
 template <int D>
 struct Scene {
   double spacing = 0;                   ///< h [m]
-  Place<D> periods{};                   ///< blocks after which an axis repeats, 0 where it does not
+  BlockIndex<D> periods{};              ///< blocks after which an axis repeats, 0 where it does not
   Point<D> gravity = Point<D>::Zero();  ///< [m/s^2]
   StepLimits limits;
   int strain_size = 0;  ///< numbers of the kinematics' strain

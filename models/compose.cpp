@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/body.hpp"
 #include "core/experiment_of.hpp"
 #include "models/boundaries/make_wall.hpp"
 #include "models/make.hpp"
@@ -55,7 +56,7 @@ std::vector<std::unique_ptr<Wall<D>>> walls_of(Case const& document) {
         entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
           if constexpr (S::supports(D))
             walls.push_back(located("/walls/" + std::to_string(k),
-                                    [&] { return wall::make_wall<D, S, C, M>(entry.name, shape, contact, motion); }));
+                                    [&] { return make_wall<D, S, C, M>(entry.name, shape, contact, motion); }));
         });
       });
     });

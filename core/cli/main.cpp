@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "build_info.hpp"
+#include "core/build_info.hpp"
 #include "core/cli/runner.hpp"
 #include "core/cli/show.hpp"
 #include "core/io/files.hpp"
@@ -180,13 +180,12 @@ int main(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::help);
   add_running_verbs(app, chosen, arguments);
   add_looking_verbs(app, chosen, arguments);
+  hand_over(argc, argv);
   for (std::string const verb : {"verify", "bench", "point", "report", "compare"})
     if (argc > 1 && verb == argv[1]) {
-      hand_over(argc, argv);
       fmt::print(stderr, "talus: '{}' is not in this build\n", verb);
       return not_in_this_build;
     }
-  if (argc > 1 && app.get_subcommand_no_throw(argv[1]) == nullptr) hand_over(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {

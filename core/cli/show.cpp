@@ -6,6 +6,7 @@
 
 #include "core/config/manual.hpp"
 #include "core/config/nearest.hpp"
+#include "core/config/schema.hpp"
 #include "core/io/files.hpp"
 
 namespace talus::cli {

@@ -64,6 +64,8 @@ std::string words_for(Outline const& outline, int dimension) {
       return "true or false";
     case Kind::text:
       return "a text";
+    case Kind::any:
+      return "a number, a text, true or false";
     case Kind::list: {
       std::string const size = words_for(outline.row.size, dimension);
       return "a list" + (size.empty() ? "" : " of " + size) + ", each " + words_for(outline.parts.front(), dimension);
@@ -100,6 +102,9 @@ class Examination {
       case Kind::text:
         if (!value->is_string()) wrong_kind(*value, outline, pointer);
         return;
+      case Kind::any:
+        if (!value->is_primitive() || value->is_null()) wrong_kind(*value, outline, pointer);
+        return;
       case Kind::list:
         return list(*value, outline, pointer);
       case Kind::group:
@@ -113,8 +118,9 @@ class Examination {
  private:
   void absent(Outline const& outline, std::string const& pointer) {
     if (!must_be_given(outline)) return;
-    if (outline.kind == Kind::group && !outline.row.is_required)
+    if (outline.kind == Kind::group && !outline.row.is_required) {
       return members(json::object(), outline.parts, pointer, {});
+    }
     std::string const meaning(outline.row.meaning);
     reader_.refuse(pointer, "nothing", words_for(outline, reader_.dimension) + (meaning.empty() ? "" : ": " + meaning),
                    "it has no default, so add it");
@@ -143,8 +149,9 @@ class Examination {
     Description const& row = outline.row;
     double const x = value.get<double>();
     bool const is_whole = !value.is_number_float() || x == std::nearbyint(x);
-    if ((outline.kind == Kind::integer && !is_whole) || !row.range.contains(x))
+    if ((outline.kind == Kind::integer && !is_whole) || !row.range.contains(x)) {
       return wrong_kind(value, outline, pointer);
+    }
     if (!outline.possible.contains(x)) {
       reader_.refuse(pointer, words_for(value), words_for(outline.kind, outline.possible, row.unit));
     } else if (!row.tried.contains(x)) {
@@ -159,8 +166,9 @@ class Examination {
     Size size = outline.row.size;
     if (size.per_axis && reader_.dimension > 0) size.least = size.most = static_cast<std::size_t>(reader_.dimension);
     if (value.size() < size.least || value.size() > size.most) wrong_kind(value, outline, pointer);
-    for (std::size_t k = 0; k < value.size(); ++k)
+    for (std::size_t k = 0; k < value.size(); ++k) {
       run(&value[k], outline.parts.front(), pointer + '/' + std::to_string(k));
+    }
   }
 
   void members(json const& value, std::vector<Outline> const& parts, std::string const& pointer,

@@ -17,7 +17,7 @@
 namespace talus {
 
 /// The kinds of values. A `list` has entries of one kind, a `group` has named parameters, a `choice` has a "type".
-enum class Kind { number, integer, boolean, text, list, group, choice };
+enum class Kind { number, integer, boolean, text, any, list, group, choice };
 
 struct Outline;
 
@@ -106,6 +106,8 @@ void outline_kind(T const& initial, Outline& outline) {
   } else if constexpr (std::same_as<T, double>) {
     outline.kind = Kind::number;
     outline.possible = row.range;
+  } else if constexpr (std::same_as<T, AnyValue>) {
+    outline.kind = Kind::any;
   } else if constexpr (std::same_as<T, bool>) {
     outline.kind = Kind::boolean;
   } else {

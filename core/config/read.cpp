@@ -57,6 +57,9 @@ void take(json const& from, double& into) {
 void take(json const& from, std::string& into) {
   into = from.get<std::string>();
 }
+void take(json const& from, AnyValue& into) {
+  into.text = from.dump();
+}
 
 json const* member(json const* object, std::string_view name) {
   if (object == nullptr) return nullptr;

@@ -61,6 +61,7 @@ void take(nlohmann::json const& from, std::int64_t& into);
 void take(nlohmann::json const& from, std::uint64_t& into);
 void take(nlohmann::json const& from, double& into);
 void take(nlohmann::json const& from, std::string& into);
+void take(nlohmann::json const& from, AnyValue& into);
 [[nodiscard]] nlohmann::json const* member(nlohmann::json const* object, std::string_view name);
 [[nodiscard]] std::size_t entries(nlohmann::json const& list);
 [[nodiscard]] nlohmann::json const& entry(nlohmann::json const& list, std::size_t index);

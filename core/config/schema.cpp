@@ -59,6 +59,8 @@ json schema_of_kind(Outline const& outline) {
       return {{"type", "boolean"}};
     case Kind::text:
       return {{"type", "string"}};
+    case Kind::any:
+      return {{"anyOf", json::array({{{"type", "number"}}, {{"type", "string"}}, {{"type", "boolean"}}})}};
     case Kind::list:
       return schema_of_list(outline);
     case Kind::group:

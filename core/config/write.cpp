@@ -25,6 +25,9 @@ void put(json& into, double value) {
 void put(json& into, std::string const& value) {
   into = value;
 }
+void put(json& into, AnyValue const& value) {
+  into = json::parse(value.text);
+}
 void put_empty_object(json& into) {
   into = json::object();
 }

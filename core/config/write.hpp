@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/config/any_value.hpp"
 #include "core/config/choice.hpp"
 #include "core/config/kinds.hpp"
 #include "core/config/parameters.hpp"
@@ -21,6 +22,7 @@ void put(nlohmann::json& into, std::uint64_t value);
 /// Throws: InputError for a number that is not finite.
 void put(nlohmann::json& into, double value);
 void put(nlohmann::json& into, std::string const& value);
+void put(nlohmann::json& into, AnyValue const& value);
 void put_empty_object(nlohmann::json& into);
 void put_empty_list(nlohmann::json& into);
 /// A new member, still null.

@@ -55,11 +55,11 @@ std::string run_gnuplot(std::filesystem::path const& folder, std::string const& 
 std::string gnuplot_string(std::string_view text) {
   std::string quoted = "'";
   for (char const c : text) {
-    bool const control = static_cast<unsigned char>(c) < 32 || c == 127;
-    if (c == '\'')
-      quoted += "''";
+    bool const control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    if (c == '\'' || c == '`')
+      quoted += "''";  // one apostrophe
     else
-      quoted += control || c == '`' ? ' ' : c;
+      quoted += control ? ' ' : c;
   }
   return quoted + "'";
 }

@@ -12,7 +12,7 @@ namespace talus::io {
 namespace {
 
 constexpr int page_width = 1600, font_size = 16;
-constexpr int left_margin = 125, right_margin = 160, top_margin = 70, bottom_margin = 78;
+constexpr int left_margin = 125, right_margin = 180, top_margin = 70, bottom_margin = 78;
 constexpr int panel_title = 34, axis_numbers = 26, gap = 46;
 
 /// Where the panels of a page lie [px]: all equally wide, each row as high as its highest panel.
@@ -65,7 +65,7 @@ std::string page_head(Page const& page, Arrangement const& a, PictureFormat cons
   head += palette() + "unset key\nset tics out nomirror scale 0.5\nset border 3 lc rgb '#555555'\n";
   head += "set grid lc rgb '#dddddd' lt 1 lw 0.7\n";
   head += fmt::format("set cbrange [{}:{}]\n", page.colour_low, page.colour_high);
-  constexpr double bar_left = static_cast<double>(page_width - right_margin + 40) / page_width;
+  constexpr double bar_left = static_cast<double>(page_width - right_margin + 36) / page_width;
   constexpr double bar_width = 24.0 / page_width;
   auto const middle = (screen(a.tops.back() + a.heights.back()) + screen(a.tops.front())) / 2;
   auto const length = std::min(2 * (screen(a.tops.front()) - middle), 460.0 / a.page_height);
@@ -94,16 +94,20 @@ std::string place_script(Panel const& panel, Arrangement const& a, std::size_t k
       window.right, window.bottom, window.top);
 }
 
-std::string axes_script(Panel const& panel, bool leftmost, bool lowest) {
+/// 1, 2 or 5 times a power of ten: the least distance of numbers [m] that lie `apart` pixels from each other.
+double tic_distance(double pixels_per_metre, double apart) {
+  double const least = apart / pixels_per_metre, power = std::pow(10.0, std::floor(std::log10(least)));
+  double const ratio = least / power;
+  return power * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
+}
+
+std::string axes_script(Panel const& panel, double pixels_per_metre, bool leftmost, bool lowest) {
   if (!panel.axes) return "unset border\nunset xtics\nunset ytics\nunset grid\nset xlabel ''\nset ylabel ''\n";
-  // About as far apart on both axes: a flat panel would else have many numbers on a short axis.
-  double const step = std::pow(10.0, std::floor(std::log10(panel.window.width())));
-  double const apart = panel.window.width() / step > 5 ? step : panel.window.width() / step > 2 ? step / 2 : step / 5;
-  auto const tics = fmt::format("set xtics {0}\nset ytics {0}\n", apart);
-  return tics +
-         fmt::format(
-             "set format x '{}'\nset format y '{}'\nset xlabel '{}' offset 0,0.4\nset ylabel '{}' offset 0.3,0\n",
-             lowest ? "%g" : "", leftmost ? "%g" : "", lowest ? "x (m)" : "", leftmost ? "y (m)" : "");
+  return fmt::format(
+      "set xtics {:.3g}\nset ytics {:.3g}\nset format x '{}'\nset format y '{}'\n"
+      "set xlabel '{}' offset 0,0.4\nset ylabel '{}' offset 0.3,0\n",
+      tic_distance(pixels_per_metre, 80), tic_distance(pixels_per_metre, 40), lowest ? "%g" : "", leftmost ? "%g" : "",
+      lowest ? "x (m)" : "", leftmost ? "y (m)" : "");
 }
 
 std::string marks_script(Panel const& panel) {
@@ -118,10 +122,13 @@ std::string marks_script(Panel const& panel) {
   return text;
 }
 
-/// Dots a little larger than their distance, so that a body looks closed; larger still where only every n-th is drawn.
+/// Dots larger than their distance, so that a body looks closed; more so where some are left out of a plane, as the
+/// rest do not lie evenly.
 std::string plot_command(Panel const& panel, std::size_t every, double pixels_per_metre, PictureFormat const& format) {
-  constexpr double overlap = 1.5, smallest = 1.6, largest = 24;
-  double const spacing = panel.spacing * std::pow(static_cast<double>(every), 1.0 / panel.dimension);
+  constexpr double smallest = 1.6, largest = 24;
+  auto const thinned = static_cast<double>(panel.thinned * every);
+  double const overlap = thinned > 1 && panel.dimension == 2 ? 2.1 : 1.5;
+  double const spacing = panel.spacing * std::pow(thinned, 1.0 / panel.dimension);
   double const diameter = std::clamp(overlap * spacing * pixels_per_metre, smallest, largest);
   return fmt::format("plot '{}' using 1:2:3 every {} with points pt 7 ps {:.4f} lc palette\n", panel.data, every,
                      diameter / format.dot_size);
@@ -145,8 +152,10 @@ std::string page_script(Page const& page, PictureFormat const& format) {
     auto const& panel = page.panels[k];
     script += place_script(panel, a, k);
     script += fmt::format("set title {} noenhanced offset 0,-0.7\n", gnuplot_string(panel.title));
-    script += axes_script(panel, k % a.columns == 0, k + a.columns >= page.panels.size()) + marks_script(panel);
-    script += plot_command(panel, every, a.panel_width / panel.window.width(), format);
+    double const scale = a.panel_width / panel.window.width();  // pixels per metre
+    bool const lowest = k + a.columns >= page.panels.size() || !page.panels[k + a.columns].axes;
+    script += axes_script(panel, scale, k % a.columns == 0, lowest) + marks_script(panel);
+    script += plot_command(panel, every, scale, format);
     script += "unset colorbox\nunset label\n";
   }
   return script + "unset multiplot\nunset output\n";

@@ -29,8 +29,9 @@ struct Line {
 struct Panel {
   std::string title, data;
   std::size_t dots = 0;
-  double spacing = 0;  ///< about the distance between dots [m]
-  int dimension = 2;   ///< of the space that the dots fill
+  std::size_t thinned = 1;  ///< every n-th particle is among them
+  double spacing = 0;       ///< about the distance between particles [m]
+  int dimension = 2;        ///< of the space that the dots fill
   Window window;
   bool axes = true;                ///< with x and y axes in metres; else only the lines and marks
   double lowest = 0, highest = 0;  ///< values of the dots

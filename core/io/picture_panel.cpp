@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/io/files.hpp"
 
@@ -37,12 +36,12 @@ Window window_around(Bounds const& box, View const& view) {
     auto const place = seen(corner(box, bits), view);
     shown.include({place[0], place[1], 0});
   }
-  constexpr double flattest = 8, most_slender = 1.5, margin = 0.08, least = 1e-6;
+  constexpr double flattest = 8, most_slender = 1.5, margin = 1.08, least = 1e-6;
   double const width = shown.high[0] - shown.low[0], height = shown.high[1] - shown.low[1];
-  double const side = std::max({width, height, least});
-  double const wide = std::max(width, height / most_slender) + margin * side;
-  double const high = std::max(height + margin * side, wide / flattest);
-  double const middle = (shown.low[0] + shown.high[0]) / 2, bottom = shown.low[1] - margin * side / 2;
+  double const wide = margin * std::max({width, height / most_slender, least});
+  double const high = std::max(margin * height, wide / flattest);
+  double const middle = (shown.low[0] + shown.high[0]) / 2;
+  double const bottom = shown.low[1] - (1 - 1 / margin) / 2 * high;
   return {middle - wide / 2, middle + wide / 2, bottom, bottom + high};
 }
 
@@ -59,7 +58,7 @@ void draw_box(Panel& panel, Bounds const& box, View const& view) {
     std::size_t from, to;  // corners
     double right, up;      // where the name stands beside the edge
   };
-  constexpr std::array<Named, 3> edges{{{"x", 4, 5, -0.2, -1}, {"y", 4, 6, -1, 0}, {"z", 5, 1, 0.8, -0.6}}};
+  constexpr std::array<Named, 3> edges{{{"x", 4, 5, -0.2, -1}, {"y", 4, 6, -1.4, 0}, {"z", 5, 1, 0.8, -0.6}}};
   double const away = 0.025 * panel.window.width();
   for (auto const& edge : edges) {
     auto const a = seen(corner(box, edge.from), view), b = seen(corner(box, edge.to), view);
@@ -77,7 +76,8 @@ Panel make_panel(Scenery const& scenery, Snapshot const& snapshot, std::string c
   panel.title = fmt::format("t = {:.4g} s", snapshot.time);
   panel.data = fmt::format("{}_{}.dat", oblique ? "oblique" : "side", number);
   panel.dimension = snapshot.dimension;
-  panel.spacing = scenery.spacing * std::pow(static_cast<double>(every), 1.0 / panel.dimension);
+  panel.thinned = every;
+  panel.spacing = scenery.spacing;
   panel.window = window_around(scenery.bounds, view);
   panel.axes = !oblique;
   if (oblique) draw_box(panel, scenery.bounds, view);

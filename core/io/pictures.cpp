@@ -93,10 +93,11 @@ std::vector<Page> particle_pages(fs::path const& run_folder, std::vector<Instant
     if (solid) sheet.panels.push_back(make_panel(scenery, instant.snapshot, instant.number, true));
   }
   last.panels = {from_the_side.panels.back()};
-  if (solid)
+  if (!solid) sheet.panels = from_the_side.panels;
+  if (solid) {
     last.panels.push_back(sheet.panels.back());
-  else
-    sheet.panels = from_the_side.panels;
+    last.panels.back().title.clear();  // the panel beside it has the time
+  }
   std::vector<Page> pages{sheet, last};
   if (solid) pages.push_back(from_the_side);
   share_colours(pages);
@@ -120,7 +121,8 @@ std::string draw_pictures(fs::path const& run_folder, PictureOptions const& opti
   fs::create_directories(plots, error);
   if (error) throw FileError("cannot make the folder " + plots.string() + ": " + error.message());
   auto const instants = choose_instants(run_folder, options.instants);
-  auto const series = read_series(run_folder / "series.csv");
+  auto const rows = run_folder / "series.csv";
+  auto const series = fs::exists(rows) ? read_series(rows) : Series{};
   std::vector<Page> pages;
   if (!instants.empty()) pages = particle_pages(run_folder, instants, options.field);
 

@@ -16,8 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr std::string_view clear_line = "\r\033[K", green = "\033[32m", plain = "\033[0m";
 
-double share_done(ProgressPlan const& plan, ProgressState const& state) {
-  return plan.end > plan.start ? std::clamp((state.time - plan.start) / (plan.end - plan.start), 0.0, 1.0) : 1.0;
+double share_done(ProgressState const& s) {
+  return s.end > s.start ? std::clamp((s.time - s.start) / (s.end - s.start), 0.0, 1.0) : 1.0;
 }
 
 /// "8.1 M": three digits and a prefix.
@@ -61,36 +61,33 @@ ProgressOutput ProgressOutput::standard_error() {
   return {2, terminal, terminal && !is_set("NO_COLOR")};
 }
 
-std::string progress_text(ProgressPlan const& plan, ProgressState const& state) {
-  auto const work = static_cast<double>((state.step - plan.first_step) * plan.particles);
-  auto const rate = state.elapsed > 0 ? work / state.elapsed : 0.0;
-  auto const done = share_done(plan, state);
+std::string progress_text(ProgressState const& state) {
+  auto const rate = state.elapsed > 0 ? static_cast<double>(state.particle_steps) / state.elapsed : 0.0;
+  auto const done = share_done(state);
   return fmt::format("{:3.0f} %   t = {:.4g} / {:.4g} s   {} steps   {} particle-steps/s   {}", std::floor(100 * done),
-                     state.time, plan.end, state.step, short_number(rate), remaining(done, state.elapsed));
+                     state.time, state.end, state.step, short_number(rate), remaining(done, state.elapsed));
 }
 
-std::string progress_line(ProgressPlan const& plan, ProgressState const& state, int width, bool colour) {
-  auto const text = progress_text(plan, state);
+std::string progress_line(ProgressState const& state, int width, bool colour) {
+  auto const text = progress_text(state);
   constexpr int narrowest = 8, widest = 30;
   int const room = std::min(widest, width - static_cast<int>(text.size()) - 3);
   if (room < narrowest) return text.substr(0, static_cast<std::size_t>(std::max(0, width)));
-  auto const full = static_cast<int>(share_done(plan, state) * room);
+  auto const full = static_cast<int>(share_done(state) * room);
   return fmt::format("[{}{:=<{}}{}{: <{}}] {}", colour ? green : "", "", full, colour ? plain : "", "", room - full,
                      text);
 }
 
-Progress::Progress(ProgressPlan plan, ProgressOutput output, Clock::time_point now)
-    : plan_(std::move(plan)),
-      output_(output),
-      state_{.time = plan_.start, .step = plan_.first_step},
+Progress::Progress(double start, double end, ProgressOutput output, Clock::time_point now)
+    : output_(output),
+      state_{.start = start, .end = end, .time = start},
       begun_(now),
-      next_(output.terminal ? now : now + 5s) {
-  if (!plan_.title.empty()) put(plan_.title + "\n");
-}
+      next_(output.terminal ? now : now + 5s) {}
 
-void Progress::update(double time, std::int64_t step, Clock::time_point now) {
+void Progress::update(double time, std::int64_t step, std::int64_t particle_steps, Clock::time_point now) {
   state_.time = time;
   state_.step = step;
+  state_.particle_steps = particle_steps;
   if (now >= next_) draw(now);
 }
 
@@ -109,15 +106,14 @@ void Progress::draw(Clock::time_point now) {
   state_.elapsed = std::chrono::duration<double>(now - begun_).count();
   if (output_.terminal) {
     int const width = width_of(output_.descriptor) - 1;  // a full line would wrap
-    put(fmt::format("{}{}", clear_line, progress_line(plan_, state_, width, output_.colour)));
+    put(fmt::format("{}{}", clear_line, progress_line(state_, width, output_.colour)));
   } else {
-    put(progress_text(plan_, state_) + "\n");
+    put(progress_text(state_) + "\n");
   }
 }
 
 /// A closed or full output is no reason to stop a run.
 void Progress::put(std::string_view text) const {
-  if (plan_.quiet) return;
   while (!text.empty()) {
     auto const written = ::write(output_.descriptor, text.data(), text.size());
     if (written <= 0) return;

@@ -42,13 +42,13 @@ bool is_finite(Direction const& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-/// A number that looks random, the same for the same particle (splitmix64: Steele, Lea & Flood 2014,
-/// doi:10.1145/2660193.2660195).
-std::uint64_t mixed(std::uint64_t n) {
-  n += 0x9e3779b97f4a7c15;
-  n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9;
-  n = (n ^ (n >> 27)) * 0x94d049bb133111eb;
-  return n ^ (n >> 31);
+/// Place on a curve that fills a square, of a point with coordinates in [0, 1]: the bits of both in turn (Morton 1966).
+/// Every n-th point along it is an even sample of the square.
+std::uint32_t place_on_curve(double x, double y) {
+  std::uint32_t const i = static_cast<std::uint32_t>(x * 65535), j = static_cast<std::uint32_t>(y * 65535);
+  std::uint32_t place = 0;
+  for (std::uint32_t bit = 0; bit < 16; ++bit) place |= (i >> bit & 1) << (2 * bit) | (j >> bit & 1) << (2 * bit + 1);
+  return place;
 }
 
 }  // namespace
@@ -81,20 +81,25 @@ Bounds bounds_of(Snapshot const& snapshot) {
 std::vector<Dot> dots_of(Snapshot const& snapshot, View const& view, std::string const& field) {
   struct Placed {
     double depth;
-    std::uint64_t order;
+    std::uint32_t place;
     Dot dot;
   };
   auto const& position = column_of(snapshot, "position");
   auto const& column = column_of(snapshot, field);
   std::vector<Placed> placed;
+  Bounds plane;
   for (std::size_t p = 0; p < snapshot.particles(); ++p) {
     auto const x = place(position, p);
     double const value = magnitude(column, p);
-    if (is_finite(x) && std::isfinite(value))
-      placed.push_back({dot(x, view.toward), mixed(p), {dot(x, view.right), dot(x, view.up), value}});
+    if (!is_finite(x) || !std::isfinite(value)) continue;
+    placed.push_back({dot(x, view.toward), 0, {dot(x, view.right), dot(x, view.up), value}});
+    plane.include({placed.back().dot.x, placed.back().dot.y, 0});
   }
+  double const side = std::max({plane.high[0] - plane.low[0], plane.high[1] - plane.low[1], 1e-300});
+  for (auto& each : placed)
+    each.place = place_on_curve((each.dot.x - plane.low[0]) / side, (each.dot.y - plane.low[1]) / side);
   std::ranges::sort(placed, [](Placed const& a, Placed const& b) {
-    return a.depth != b.depth ? a.depth < b.depth : a.order < b.order;
+    return a.depth != b.depth ? a.depth < b.depth : a.place < b.place;
   });
   std::vector<Dot> dots;
   for (auto const& each : placed) dots.push_back(each.dot);

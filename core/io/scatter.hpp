@@ -42,9 +42,9 @@ struct Dot {
   double x, y, value;
 };
 
-/// The particles of a snapshot on a plane, the farthest from the eye first; without depth in an order that is mixed, so
-/// that any part of the list is a fair sample. `value` is the magnitude of the column `field`. Particles with a
-/// non-finite place or value are left out.
+/// The particles of a snapshot on a plane, the farthest from the eye first, those of equal depth along a curve that
+/// fills the plane: so every n-th dot is an even sample of them. `value` is the magnitude of the column `field`.
+/// Particles with a non-finite place or value are left out.
 [[nodiscard]] std::vector<Dot> dots_of(Snapshot const& snapshot, View const& view, std::string const& field);
 
 /// About the distance between neighbouring particles [m]: the D-th root of the volume of the cells that hold any,

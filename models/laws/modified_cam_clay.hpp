@@ -32,10 +32,12 @@ struct ModifiedCamClay : HenckyElasticity {
   struct Parameters : HenckyElasticity::Parameters, Hardening::Parameters, Rate::Parameters {
     double beta = 0;
     static constexpr auto table() {
-      return std::tuple_cat(HenckyElasticity::Parameters::table(), Hardening::Parameters::table(),
-                            std::tuple{parameter(&Parameters::beta, "beta", "beta", "1",
-                                                 "cohesion: tensile over compressive strength", right_open(0, 1))},
-                            Rate::Parameters::table());
+      return std::tuple_cat(
+          HenckyElasticity::Parameters::table(), Hardening::Parameters::table(),
+          std::tuple{parameter(&Parameters::beta, "beta", "beta", "1", "cohesion: tensile over compressive strength",
+                               right_open(0, 1))
+                         .validated(0, 0.3, "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, collapses")},
+          Rate::Parameters::table());
     }
   };
 

@@ -34,7 +34,7 @@ std::string wrong(Source const& source, std::string const& target, std::string c
 
 /// What is wrong with an include of one of the project's own files.
 std::string own_fault(Source const& source, std::string const& target, std::vector<std::string> const& policies) {
-  if (target == "build_info.hpp")
+  if (target == "core/build_info.hpp")
     return is_below_any(source.path, {"core/io", "core/cli"}) ? "" : wrong(source, target, "only core/io and core/cli");
   std::string const from = first_folder(source.path), to = first_folder(target);
   if (rank(to) < 0) return wrong(source, target, "own files are named from the root, as in core/tensor.hpp");
@@ -124,6 +124,7 @@ BOOST_AUTO_TEST_CASE(an_include_against_the_direction_is_found) {
   BOOST_TEST(count("verification/order.hpp", {"#include \"tests/support/mutants.hpp\""}) == 1u);
   BOOST_TEST(count("benchmarks/stages.cpp", {"#include \"tests/support/mutants.hpp\""}) == 1u);
   BOOST_TEST(count("core/grid.hpp", {"#include \"tensor.hpp\"", "#include \"../models/case.hpp\""}) == 2u);
+  BOOST_TEST(count("core/grid.hpp", {"#include \"core/build_info.hpp\""}) == 1u);
   BOOST_TEST(count("tests/core/grid.cpp", {"#include \"core/grid.hpp\"", "#include \"models/laws/one.hpp\""}) == 0u);
 }
 

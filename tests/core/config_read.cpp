@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_given_has_the_value_of_its_initialiser) {
 
 BOOST_AUTO_TEST_CASE(values_of_every_kind_are_read) {
   auto const [scene, mistakes, warnings] = outcome_of(R"({
-    "title": "all", "steps": 3e2, "seed": 18446744073709549568, "slope_deg": 22.5, "times": [], "stop": {"speed": 0.1},
+    "title": "all", "steps": 3e2, "seed": 18446744073709549568, "slope_deg": 22.5, "times": [], "stop": {"speed": 0.1}, "notes": [1e-3, "a"],
     "space": {"dimension": 3, "periodic": [true, false, true], "kernel": {"type": "linear"}},
     "law": {"type": "friction", "young_modulus": 1e5, "mu_2": 0.7, "grain": {"diameter": 2e-3}},
     "bodies": [{"material": "a", "high": [3, 2, 1]}, {"material": "b", "density": 1}], "probes": [[1, 2, 3]]})",
@@ -82,6 +82,7 @@ BOOST_AUTO_TEST_CASE(values_of_every_kind_are_read) {
   BOOST_TEST(is_friction);
   BOOST_TEST(
       (scene.bodies.size() == 2 && scene.bodies[0].high == Coordinates{3, 2, 1} && scene.bodies[1].density == 1));
+  BOOST_TEST((scene.notes == std::vector<AnyValue>{{.text = "0.001"}, {.text = "\"a\""}}));
   BOOST_TEST((scene.probes.size() == 1 && scene.probes[0] == Coordinates{1, 2, 3}));
 }
 
@@ -135,6 +136,7 @@ BOOST_AUTO_TEST_CASE(a_value_of_the_wrong_kind_is_refused) {
   BOOST_TEST(mistake_in(scene_with(R"("times": 3)")).advice == "write a list: [3]");
   BOOST_TEST(mistake_in(scene_with(R"("space": [2])")).expected == "an object {...}");
   BOOST_TEST(mistake_in(scene_with(R"("space": {"periodic": [0, true]})")).pointer == "/space/periodic/0");
+  BOOST_TEST(mistake_in(scene_with(R"("notes": [1, null])")).expected == "a number, a text, true or false");
   BOOST_TEST(mistake_in("[1]").pointer.empty());
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/config/any_value.hpp"
 #include "core/config/choice.hpp"
 #include "core/config/parameters.hpp"
 
@@ -113,6 +114,7 @@ struct Scene {
   std::vector<double> times{0.5, 1};
   std::vector<Coordinates> probes;
   std::optional<Stop> stop;
+  std::vector<AnyValue> notes;
   static constexpr auto table() {
     return std::tuple{parameter(&Scene::title, "title", "what it is"),
                       parameter(&Scene::space, "space", "the space"),
@@ -123,7 +125,8 @@ struct Scene {
                       parameter(&Scene::slope_deg, "slope_deg", "\\theta", "deg", "slope", right_open(0, 90)),
                       parameter(&Scene::times, "times", "t", "s", "times of output", non_negative).sized(0, 4),
                       parameter(&Scene::probes, "probes", "x", "m", "points of measurement"),
-                      parameter(&Scene::stop, "stop", "when to stop")};
+                      parameter(&Scene::stop, "stop", "when to stop"),
+                      parameter(&Scene::notes, "notes", "values of any kind")};
   }
 };
 

@@ -40,7 +40,7 @@ bool has(std::string const& text, std::string_view part) {
 BOOST_AUTO_TEST_CASE(the_echo_has_every_default_and_no_empty_option) {
   Scene const scene = read_or_throw<Scene>(parse(sample::shortest, "a.json"), 2);
   json const expected = json::parse(R"({
-    "title": "untitled", "steps": 10, "seed": 1, "slope_deg": 0.0, "times": [0.5, 1.0], "probes": [],
+    "title": "untitled", "steps": 10, "seed": 1, "slope_deg": 0.0, "times": [0.5, 1.0], "probes": [], "notes": [],
     "space": {"dimension": 2, "periodic": [false, false], "kernel": {"type": "spline", "degree": 2}},
     "law": {"type": "elastic", "young_modulus": 2e5},
     "bodies": [{"material": "sand", "low": [0.0, 0.0], "high": [1.0, 1.0], "density": 1000.0}]})");
@@ -53,6 +53,7 @@ BOOST_AUTO_TEST_CASE(the_echo_of_an_echo_is_the_same) {
   scene.law = Choice<sample::Laws>::of<sample::Friction>({.E = 1.0 / 3, .grain = {.diameter = 1e-9}});
   scene.seed = 9007199254740993U;  // 2^53 + 1, which no double holds
   scene.probes = {{0.1, 0.2, 0.3}};
+  scene.notes = {{.text = "0.1"}, {.text = "\"a\""}, {.text = "true"}};
   json const once = echo(scene);
   BOOST_TEST(echo(read_back(scene, 3)).dump() == once.dump());
   BOOST_TEST(read_back(scene, 3).seed == 9007199254740993U);

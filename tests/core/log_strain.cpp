@@ -53,17 +53,9 @@ std::vector<Symmetric<double, Shape>> strains(double spread) {
   return r;
 }
 
-/// ||got - exact||/||exact|| in the plane of the motion.
-template <class Shape>
-double error(Symmetric<double, Shape> const& got, quadruple::Square<Shape::plane> const& exact) {
-  auto difference = exact;
-  for (int i = 0; i < Shape::plane; ++i)
-    for (int j = 0; j < Shape::plane; ++j) difference(i, j) -= static_cast<quadruple::Number>(got(i, j));
-  return quadruple::norm(difference) / quadruple::norm(exact);
-}
 template <class Shape>
 double error_of_step(Symmetric<double, Shape> const& strain, Matrix<double, Shape::plane> const& H) {
-  return error(trial_strain(strain, H), quadruple::trial_strain(strain, H));
+  return quadruple::error(trial_strain(strain, H), quadruple::trial_strain(strain, H));
 }
 
 /// The worst error over strains of a spread and steps a tenth of it (at most 0.03).
@@ -77,19 +69,11 @@ double worst_error(double spread, int samples) {
   return worst;
 }
 
-template <class T, class Shape>
-Symmetric<T, Shape> lane_of_all(Symmetric<double, Shape> const& a, T fill, int lane) {
-  Symmetric<T, Shape> r;
-  for (int e = 0; e < a.size; ++e) {
-    r[e] = fill;
-    r[e].set(lane, a[e]);
-  }
-  return r;
-}
-template <class T, int D>
-Matrix<T, D> lane_of_all(Matrix<double, D> const& a, T fill, int lane) {
-  Matrix<T, D> r;
-  for (std::size_t e = 0; e < a.entries.size(); ++e) {
+/// The tensor or matrix in one lane of packs that hold `fill` elsewhere.
+template <class Packed, class Single>
+Packed in_lane(int lane, Single const& a, double fill) {
+  Packed r;
+  for (std::size_t e = 0; e < r.entries.size(); ++e) {
     r.entries[e] = fill;
     r.entries[e].set(lane, a.entries[e]);
   }
@@ -145,12 +129,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_guard_takes_over_where_the_polynomial_ends, Sh
   auto const of = [&direction](double size) { return size * direction; };
   for (double const side : {1 - 1e-9, 1 + 1e-9}) {
     auto const x = of(polynomial_limit * side);
-    BOOST_TEST(error(2.0 * talus::log_strain(x), exact_log(x)) < 2e-15);
+    BOOST_TEST(quadruple::error(2.0 * talus::log_strain(x), exact_log(x)) < 2e-15);
     BOOST_TEST(error_of_step(0.5 * x, no_step) < 2e-15);  // expm1 of x, and its logarithm
   }
   auto const x = of(0.3);
-  BOOST_TEST(error(detail::polynomial(x, detail::log1p_terms), exact_log(x)) > 1e-13);
-  BOOST_TEST(error(2.0 * talus::log_strain(x), exact_log(x)) < 2e-15);
+  BOOST_TEST(quadruple::error(detail::polynomial(x, detail::log1p_terms), exact_log(x)) > 1e-13);
+  BOOST_TEST(quadruple::error(2.0 * talus::log_strain(x), exact_log(x)) < 2e-15);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(log_strain_undoes_expm1_twice, Shape, Shapes) {
@@ -188,18 +172,20 @@ BOOST_AUTO_TEST_CASE(a_rotation_turns_the_strain_and_strains_nothing) {
 
 // Lanes on both sides of the guard, and a lane of NaN, in one pack.
 BOOST_AUTO_TEST_CASE_TEMPLATE(every_lane_is_on_its_own, Shape, Shapes) {
+  using Strains = Symmetric<Lanes, Shape>;
+  using Steps = Matrix<Lanes, Shape::plane>;
   for (double const size : {1e-3, 0.04, 0.4}) {
     auto const strain = random_strain<Shape>(size);
     auto const H = random_step<Shape::plane>(0.1 * size);
     auto const alone = trial_strain(strain, H);
-    auto const among_equals = packed_step(lane_of_all<Lanes>(strain, 0.0, 3), lane_of_all<Lanes>(H, 0.0, 3));
-    for (double const neighbour : {1e-4, 0.3, nan}) {
-      auto const r = packed_step(lane_of_all<Lanes>(strain, neighbour, 3), lane_of_all<Lanes>(H, 0.1 * neighbour, 3));
+    auto const among_zeros = packed_step<Shape>(in_lane<Strains>(3, strain, 0.0), in_lane<Steps>(3, H, 0.0));
+    for (double const other : {1e-4, 0.3, nan}) {
+      auto const r = packed_step<Shape>(in_lane<Strains>(3, strain, other), in_lane<Steps>(3, H, 0.1 * other));
       for (int e = 0; e < alone.size; ++e) {
-        BOOST_TEST(r[e][3] == among_equals[e][3]);
+        BOOST_TEST(r[e][3] == among_zeros[e][3]);
         BOOST_TEST(std::abs(r[e][3] - alone[e]) < 16 * eps * size);
       }
-      BOOST_TEST(std::isnan(r[0][2]) == std::isnan(neighbour));
+      BOOST_TEST(std::isnan(r[0][2]) == std::isnan(other));
     }
   }
 }
@@ -247,7 +233,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives_are_exact_on_both_sides_of_the_guard_a
                                                quadruple::trial_strain(strain, backward));
       Symmetric<double, Shape> mine;
       for (int e = 0; e < mine.size; ++e) mine[e] = r[e].derivative(0);
-      BOOST_TEST(error(mine, slope) < 1e-12);
+      BOOST_TEST(quadruple::error(mine, slope) < 1e-12);
     }
 }
 

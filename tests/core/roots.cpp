@@ -51,6 +51,19 @@ BOOST_AUTO_TEST_CASE(a_step_that_leaves_the_bracket_is_not_taken) {
   BOOST_TEST(asked.size() == static_cast<std::size_t>(root.iterations));
 }
 
+BOOST_AUTO_TEST_CASE(nor_is_a_short_one) {
+  // Newton's iteration for the cube root goes from x to -2 x, here 0.03 far in a bracket of length 1.
+  double least = 1.0;
+  auto const f = [&least](double x) {
+    least = std::min(least, x);
+    return WithDerivative<double>{std::cbrt(x), 1.0 / (3.0 * std::cbrt(x * x))};
+  };
+  auto const root = bracketed_newton(f, -1e-3, 1.0, 0.01, 1e-13);
+  BOOST_TEST(root.converged);
+  BOOST_TEST(std::abs(root.x) < 1e-12);
+  BOOST_TEST(least > -1e-3);
+}
+
 BOOST_AUTO_TEST_CASE(the_equation_may_be_singular_at_the_ends) {
   // log(x/(1 - x)): minus and plus infinity at 0 and 1; root 1/2.
   auto const f = [](double x) { return WithDerivative<double>{std::log(x / (1.0 - x)), 1.0 / (x * (1.0 - x))}; };
@@ -112,6 +125,17 @@ BOOST_AUTO_TEST_CASE(every_lane_finds_its_own_root_and_the_count_is_that_of_the_
     BOOST_TEST(root.x[lane] == alone.x, bt::tolerance(4 * eps));
   }
   BOOST_TEST(std::abs(root.iterations - slowest) <= 1);  // a last unit may take one step more
+}
+
+BOOST_AUTO_TEST_CASE(a_lane_that_is_done_waits_for_the_others_unchanged) {
+  Lanes a = 2.0, tolerance = 0.1;
+  auto const early = bracketed_newton(cube_less(a), Lanes(0.0), 2.0, 1.0, tolerance);
+  BOOST_TEST(std::abs(early.x[0] - std::cbrt(2.0)) > 1e-4);  // stopped by the tolerance, far from the last digit
+  a.set(6, 1e-6);
+  tolerance.set(6, 0.0);
+  auto const among_slower = bracketed_newton(cube_less(a), Lanes(0.0), 2.0, 1.0, tolerance);
+  BOOST_TEST(among_slower.iterations > early.iterations);
+  BOOST_TEST(among_slower.x[0] == early.x[0]);
 }
 
 BOOST_AUTO_TEST_CASE(a_lane_that_fails_leaves_its_neighbours_alone) {

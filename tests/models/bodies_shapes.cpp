@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "core/body.hpp"
-#include "models/bodies/shapes/box.hpp"
 #include "models/bodies/shapes/polygon.hpp"
+#include "tests/models/bodies.hpp"
 
 using namespace talus;
+using body::box, body::refuses;
 
 namespace {
 
@@ -24,10 +25,6 @@ struct WithoutVolume {
 };
 static_assert(!body::Region<WithoutVolume> && !body::BodyShape<WithoutVolume> && !body::Region<int>);
 
-template <int D>
-body::Box::In<D> box(Coordinates min, Coordinates max) {
-  return body::Box::In<D>({std::move(min), std::move(max)});
-}
 body::Polygon::In<2> polygon(std::vector<Coordinates> points) {
   return body::Polygon::In<2>({std::move(points)});
 }
@@ -48,15 +45,6 @@ std::vector<Coordinates> regular(int n) {
   std::vector<Coordinates> points;
   for (int k = 0; k < n; ++k) points.push_back({std::cos(2 * M_PI * k / n), std::sin(2 * M_PI * k / n)});
   return points;
-}
-
-/// Expects that making the shape is refused with a message that has this in it.
-template <class F>
-void refuses(F make, std::string const& because) {
-  BOOST_CHECK_EXCEPTION(make(), InputError, [&](InputError const& e) {
-    BOOST_TEST_INFO("message: " << e.what());
-    return std::string(e.what()).find(because) != std::string::npos;
-  });
 }
 
 }  // namespace

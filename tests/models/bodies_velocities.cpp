@@ -10,8 +10,10 @@
 #include "models/bodies/velocities/linear.hpp"
 #include "models/bodies/velocities/rotation.hpp"
 #include "models/bodies/velocities/uniform.hpp"
+#include "tests/models/bodies.hpp"
 
 using namespace talus;
+using body::refuses;
 
 namespace {
 
@@ -42,12 +44,6 @@ double gradient_error(Field const& field) {
     for (int i = 0; i < D; ++i) worst = std::max(worst, std::abs(field.gradient(x)(i, j) - column[i]));
   }
   return worst;
-}
-
-template <class F>
-void refuses(F make, std::string const& because) {
-  BOOST_CHECK_EXCEPTION(make(), InputError,
-                        [&](InputError const& e) { return std::string(e.what()).find(because) != std::string::npos; });
 }
 
 }  // namespace

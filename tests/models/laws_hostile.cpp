@@ -234,8 +234,9 @@ BOOST_AUTO_TEST_CASE(a_slope_of_zero_is_a_fluid) {
   law::CamClay const law(parameters);
   Record<double, law::CamClay::State> state{};
   auto const after = law.project(support::strain_of<shape::Plane>(law, 30, 200), state, 1.0);
-  BOOST_TEST(invariants(law, after).p == 30, tolerance(1e-6));
-  BOOST_TEST(invariants(law, after).q <= 1e-6);
+  // the flow rule at kappa = G/(K M^2) = 4e7: p - p_tr is q_tr/(M a kappa) = 1e-3 of x
+  BOOST_TEST(invariants(law, after).p == 30, tolerance(1e-2));
+  BOOST_TEST(invariants(law, after).q <= law::least_slope * 50);
 }
 
 BOOST_AUTO_TEST_CASE(strength_beyond_ten_bulk_moduli_is_elastic) {

@@ -1,22 +1,17 @@
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "core/dual.hpp"
 #include "models/laws/modified_cam_clay.hpp"
+#include "tests/support/exact_cam_clay.hpp"
 #include "tests/support/law_states.hpp"
 
 using namespace talus;
+using support::Real;
+using support::tan_deg;
 
 namespace {
-
-using Real = boost::multiprecision::cpp_bin_float_50;
-
-double tan_deg(double degrees) {
-  return std::tan(degrees * std::numbers::pi / 180);
-}
 
 /// One step of E = 1 MPa, nu = 0.3, xi = 50, p_c0 = 100 Pa, mu_1 = tan 20.9 deg, mu_2 = tan 32.76 deg,
 /// I_0/(d sqrt(rho_s)) = 2.232, dt = 2.5e-5 s: trial p, q, eps_V^P, and beta.
@@ -39,8 +34,7 @@ struct Vector {
 
 constexpr double dt = 2.5e-5;
 
-// Ten digits of a bisection with the equations of CamClayMap and MuI, made before this code was written and in another
-// language; the 50-digit bisection below agrees with every digit.
+// Ten digits of a bisection with the equations of CamClayMap and MuI, made before this code was written and without it.
 constexpr std::array<Vector, 12> vectors{{
     {{60, 80, 0, 0},
      {54.6179893, 19.01739554, -5.597291123e-06, 100.0279904, 22.48452933, 5.981608949},
@@ -92,45 +86,6 @@ law::CamClay::Parameters rate_independent(double beta) {
   return p;
 }
 
-/// Root of a function that is negative at `a` and positive at `b`.
-template <class F>
-Real bisect(F f, Real a, Real b) {
-  for (int k = 0; k < 180; ++k) {
-    Real const middle = (a + b) / 2;
-    (f(middle) > 0 ? b : a) = middle;
-  }
-  return (a + b) / 2;
-}
-
-/// The map with the plastic multiplier written out, by bisection from the critical-state pressure to the trial
-/// pressure.
-struct Exact {
-  Real p, p_c, q_y, eps_V, q, rate;
-
-  Exact(law::CamClayMuI const& law, double bulk, Real p_tr, Real q_tr, Real eps_n) {
-    Real const M = law.surface.M, beta = law.surface.beta, K = bulk, G = law.G, xi = law.hardening.xi;
-    auto const strength = [&](Real x) { return law.hardening.p_c0 * exp(-xi * (eps_n + (x - p_tr) / K)); };
-    auto const D = [&](Real x) { return Real(2 * x - (1 - beta) * strength(x)); };
-    Real const side = D(p_tr) > 0 ? 1 : -1;
-    Real const far = p_tr - side * 1e5;
-    Real const critical = bisect([&](Real x) { return Real(side * D(x)); }, far, p_tr);
-    auto const r = [&](Real x) {
-      Real const multiplier = (p_tr - x) / (K * M * M * D(x)), q_x = q_tr / (1 + 2 * G * multiplier);
-      return Real(q_x * q_x + M * M * (x - strength(x)) * (x + beta * strength(x)));
-    };
-    p = D(p_tr) == 0 ? p_tr : bisect(r, critical, p_tr);
-    p_c = strength(p);
-    Real const P = p + beta * p_c, S = sqrt((p_c - p) * P);
-    q_y = M * S;
-    eps_V = eps_n + (p - p_tr) / K;
-
-    Real const A = G * Real(dt), O = q_tr - q_y, Q = law.rate.Q;
-    Real const B = Real(law.rate.mu_2 - law.rate.mu_1) * S + A * Q * sqrt(P) - O, C = O * Q * sqrt(P);
-    rate = (-B + sqrt(B * B + 4 * A * C)) / (2 * A);
-    q = q_tr - A * rate;
-  }
-};
-
 /// What a law makes of a step: p, q and the fields it derives.
 template <class Shape, class L, class T>
 struct Outcome {
@@ -160,7 +115,7 @@ double error_against_exact(Vector const& v) {
   law::CamClayMuI const fast(mu_i(v.step.beta));
   auto const y = step<Shape>(slow, v.step);
   auto const o = step<Shape>(fast, v.step);
-  Exact const exact(fast, fast.bulk<Shape>(), v.step.p_tr, v.step.q_tr, v.step.eps_V);
+  support::ExactCamClay const exact(fast, fast.bulk<Shape>(), v.step.p_tr, v.step.q_tr, v.step.eps_V, dt);
   Real const scale = max(Real(abs(exact.p)), max(exact.p_c, exact.q));
   Real worst = 0;
   auto const compare = [&](double got, Real want, Real unit) { worst = max(worst, Real(abs(got - want) / unit)); };
@@ -218,6 +173,21 @@ BOOST_AUTO_TEST_CASE(the_maps_agree_with_bisection_in_fifty_digits) {
     worst = std::max(worst, error);
   }
   BOOST_TEST_MESSAGE("largest error of a stress against 50 digits: " << worst);
+}
+
+BOOST_AUTO_TEST_CASE(random_plastic_steps_agree_with_bisection_in_fifty_digits) {
+  support::LogUniform random(0.01, 10, 11);
+  double worst = 0;
+  int plastic = 0;
+  while (plastic < 300) {
+    Step const step{100 * random.signed_(), 100 * random.positive(), 0.1 * random.unit() - 0.05, 0.5 * random.unit()};
+    law::CamClayMuI const law(mu_i(step.beta));
+    if (law.yield(support::strain_of<shape::Plane>(law, step.p_tr, step.q_tr), {{step.eps_V}}) < 1e-6) continue;
+    worst = std::max(worst, error_against_exact<shape::Plane>({step, {}, {}}));
+    ++plastic;
+  }
+  BOOST_TEST_MESSAGE("largest error of a stress in " << plastic << " random steps: " << worst);
+  BOOST_TEST(worst < 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(a_recovered_shear_rate_is_the_one_that_relaxed_the_stress) {

@@ -3,11 +3,16 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/law.hpp"
 
 namespace talus::support {
+
+inline double tan_deg(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 180);
+}
 
 /// The elastic strain whose Hencky stress has pressure p and shear stress q [Pa]; every entry of its deviator is at
 /// work.

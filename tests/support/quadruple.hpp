@@ -131,4 +131,13 @@ Square<Shape::plane> trial_strain(Symmetric<double, Shape> const& eps, Matrix<do
   return combine<D>(0.5, r, 0, r);
 }
 
+/// ||got - exact||/||exact|| in the plane of the motion.
+template <class Shape>
+double error(Symmetric<double, Shape> const& got, Square<Shape::plane> const& exact) {
+  Square<Shape::plane> difference = exact;
+  for (int i = 0; i < Shape::plane; ++i)
+    for (int j = 0; j < Shape::plane; ++j) difference(i, j) -= static_cast<Number>(got(i, j));
+  return norm(difference) / norm(exact);
+}
+
 }  // namespace talus::quadruple

@@ -27,9 +27,12 @@ struct MappedStress {
 /// leaves the bracket. The search cannot fail, and what it returns lies on the surface whatever happened.
 /// Start: with p_c frozen both coordinates shrink as 1/(1 + multiplier), and the inverse radius is all but linear in
 /// the multiplier; one Newton step for it is within a few per cent of the root. Everything is homogeneous in the
-/// stresses, so they need no scaling. Cost: one strength, two divisions, one root an evaluation; about four
-/// evaluations. Source: flow rule and hardening as in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; start
-/// after Moré & Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
+/// stresses, so they need no scaling.
+///
+/// Cost: one strength, two divisions and one root an evaluation; about four evaluations.
+///
+/// Source: flow rule and hardening as in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; start after Moré &
+/// Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
 template <class Hardening>
 struct CamClayMap {
   static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
@@ -38,7 +41,7 @@ struct CamClayMap {
   Hardening const& hardening;
   double K, G;
 
-  /// From the trial stress (p_tr, q_tr), q_tr > 0, above the surface of strength p_c_n = p_c(eps_V_n). Lanes that are
+  /// From the trial stress (p_tr, q_tr) above the surface of strength p_c_n = p_c(eps_V_n). Lanes that are
   /// not `plastic` are done at once, and their result means nothing.
   template <Scalar T, class Condition>
   [[nodiscard]] MappedStress<T> operator()(T p_tr, T q_tr, T eps_V_n, T p_c_n, Condition plastic) const {
@@ -66,10 +69,11 @@ struct CamClayMap {
 
     T const p_c = strength(root.x);
     EllipsePoint<T> at = surface.at(root.x, p_c);
-    // near cap and tip S follows from p with half its digits, and from the flow rule with all of them
-    T const x = outward(root.x, p_c), drop = T(kappa) * side * (p_tr - root.x);
-    T const by_flow = min(T(T(1 / M) * q_tr * x / (x + drop)), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
-    at.S = select<T>(x > at.S, by_flow, at.S);
+    // near cap and tip S follows from p with half its digits, and from the flow rule with all of them: the smaller
+    // dS/dp
+    T const x = outward(root.x, p_c), sum = x + T(kappa) * side * (p_tr - root.x);
+    T const by_flow = min(T(T(1 / M) * q_tr * x / sum), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
+    at.S = select<T>(at.S * at.S * (sum + T(kappa) * x) < x * x * sum, by_flow, at.S);
     return {at, root.iterations, root.converged};
   }
 

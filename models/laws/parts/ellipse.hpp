@@ -4,8 +4,9 @@
 
 namespace talus::law {
 
-/// Slope below which an ellipse is taken as flat: its material is a fluid without friction.
-inline constexpr double least_slope = 1e-9;
+/// Least slope of an ellipse; a material with less friction is a fluid that keeps this much. The way from a trial
+/// stress to a flatter ellipse is a boundary layer, in which a search by steps of p would stop too early.
+inline constexpr double least_slope = 1e-4;
 
 /// A stress on or above the yield ellipse: its pressure and strength, and the two measures that the flow law asks for.
 ///

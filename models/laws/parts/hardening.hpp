@@ -52,7 +52,7 @@ struct ExponentialHardening : Strength {
 
   template <Scalar T>
   [[nodiscard]] T strength(T eps_V, double K) const {
-    return limited(T(p_c0 * exp(min(T(700.0), T(-xi * eps_V)))), K);
+    return limited(T(p_c0 * exp(T(-xi * eps_V))), K);  // infinity and 0 are limited as well
   }
   /// dp_c/deps_V^P where the strength is p_c [Pa].
   template <Scalar T>
