@@ -107,8 +107,8 @@ template <int D>
   return true;
 }
 
-/// Where no point meets all constraints: the point that misses them least (sum of squares), by averaged projections.
-/// Source: De Pierro & Iusem (1985), doi:10.1016/0024-3795(85)90242-4 (from memory).
+/// Where no point meets all constraints: the point that misses them least (sum of squares). Each turn steps by the mean
+/// of what they ask for, which is the steepest descent of that sum with a step at which it cannot grow.
 template <int D>
 [[nodiscard]] Point<D> compromise(std::span<Constraint<D> const> constraints, Point<D> x, std::span<double> pushes) {
   constexpr int most_turns = 200;

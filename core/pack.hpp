@@ -13,6 +13,11 @@
 
 namespace talus {
 
+/// Doubles in one register (256 bits). A longer pack is two of half its length: handed a vector longer than the
+/// machine's registers, g++ 12 takes comparisons and choices apart lane by lane, which costs a law two to four times
+/// its time.
+inline constexpr int register_lanes = 4;
+
 /// Compiler vectors of N doubles and of N 64-bit integers (the masks that comparisons give).
 template <int N>
 struct VectorExtension;
@@ -26,15 +31,22 @@ struct VectorExtension<4> {
   typedef double Value __attribute__((vector_size(32)));
   typedef long long Mask __attribute__((vector_size(32)));
 };
-template <>
-struct VectorExtension<8> {
-  typedef double Value __attribute__((vector_size(64)));
-  typedef long long Mask __attribute__((vector_size(64)));
-};
-
-/// N truth values; all bits of a lane are set where it is true.
+/// N truth values.
 template <int N>
 struct Mask {
+  Mask<N / 2> low, high;
+
+  [[nodiscard]] bool operator[](int lane) const { return lane < N / 2 ? low[lane] : high[lane - N / 2]; }
+  friend Mask operator&(Mask a, Mask b) { return {a.low & b.low, a.high & b.high}; }
+  friend Mask operator|(Mask a, Mask b) { return {a.low | b.low, a.high | b.high}; }
+  friend Mask operator!(Mask a) { return {!a.low, !a.high}; }
+  friend Mask operator&&(Mask a, Mask b) { return a & b; }
+  friend Mask operator||(Mask a, Mask b) { return a | b; }
+};
+
+/// In one register all bits of a lane are set where it is true.
+template <int N>
+requires(N <= register_lanes) struct Mask<N> {
   typename VectorExtension<N>::Mask bits;
 
   [[nodiscard]] bool operator[](int lane) const { return bits[lane] != 0; }
@@ -48,6 +60,44 @@ struct Mask {
 /// N doubles.
 template <int N>
 struct alignas(8 * N) Pack {
+  using Half = Pack<N / 2>;
+  static constexpr int size = N;
+
+  Half low, high;
+
+  Pack() = default;
+  Pack(Half l, Half h) : low(l), high(h) {}
+  Pack(double s) : low(s), high(s) {}  // NOLINT: a number is a pack of equal lanes
+  static Pack load(double const* p) { return {Half::load(p), Half::load(p + N / 2)}; }
+  void store(double* p) const {
+    low.store(p);
+    high.store(p + N / 2);
+  }
+
+  [[nodiscard]] double operator[](int lane) const { return lane < N / 2 ? low[lane] : high[lane - N / 2]; }
+  void set(int lane, double s) { lane < N / 2 ? low.set(lane, s) : high.set(lane - N / 2, s); }
+
+  friend Pack operator+(Pack a, Pack b) { return {a.low + b.low, a.high + b.high}; }
+  friend Pack operator-(Pack a, Pack b) { return {a.low - b.low, a.high - b.high}; }
+  friend Pack operator*(Pack a, Pack b) { return {a.low * b.low, a.high * b.high}; }
+  friend Pack operator/(Pack a, Pack b) { return {a.low / b.low, a.high / b.high}; }
+  friend Pack operator-(Pack a) { return {-a.low, -a.high}; }
+  Pack& operator+=(Pack b) { return *this = *this + b; }
+  Pack& operator-=(Pack b) { return *this = *this - b; }
+  Pack& operator*=(Pack b) { return *this = *this * b; }
+  Pack& operator/=(Pack b) { return *this = *this / b; }
+
+  friend Mask<N> operator<(Pack a, Pack b) { return {a.low < b.low, a.high < b.high}; }
+  friend Mask<N> operator>(Pack a, Pack b) { return {a.low > b.low, a.high > b.high}; }
+  friend Mask<N> operator<=(Pack a, Pack b) { return {a.low <= b.low, a.high <= b.high}; }
+  friend Mask<N> operator>=(Pack a, Pack b) { return {a.low >= b.low, a.high >= b.high}; }
+  friend Mask<N> operator==(Pack a, Pack b) { return {a.low == b.low, a.high == b.high}; }
+  friend Mask<N> operator!=(Pack a, Pack b) { return {a.low != b.low, a.high != b.high}; }
+};
+
+/// N doubles in one register.
+template <int N>
+requires(N <= register_lanes) struct alignas(8 * N) Pack<N> {
   using Value = typename VectorExtension<N>::Value;
   static constexpr int size = N;
 
@@ -90,28 +140,38 @@ using Lanes = Pack<lanes>;
 
 template <int N>
 bool any(Mask<N> m) {
-  long long r = 0;
-  for (int i = 0; i < N; ++i) r |= m.bits[i];
-  return r != 0;
+  if constexpr (N > register_lanes) {
+    return any(m.low | m.high);
+  } else {
+    long long r = 0;
+    for (int i = 0; i < N; ++i) r |= m.bits[i];
+    return r != 0;
+  }
 }
 template <int N>
 bool all(Mask<N> m) {
-  long long r = -1;
-  for (int i = 0; i < N; ++i) r &= m.bits[i];
-  return r != 0;
+  return !any(!m);
 }
 
 template <int N>
 Pack<N> select_lanes(Mask<N> m, Pack<N> a, Pack<N> b) {
-  return Pack<N>(m.bits ? a.value : b.value);
+  if constexpr (N > register_lanes) {
+    return {select_lanes(m.low, a.low, b.low), select_lanes(m.high, a.high, b.high)};
+  } else {
+    return Pack<N>(m.bits ? a.value : b.value);
+  }
 }
 
 /// Applies a function of one number to every lane; for functions that no hot path calls.
 template <int N, class F>
 Pack<N> lane_by_lane(Pack<N> a, F f) {
-  Pack<N> r;
-  for (int i = 0; i < N; ++i) r.value[i] = f(a.value[i]);
-  return r;
+  if constexpr (N > register_lanes) {
+    return {lane_by_lane(a.low, f), lane_by_lane(a.high, f)};
+  } else {
+    Pack<N> r;
+    for (int i = 0; i < N; ++i) r.value[i] = f(a.value[i]);
+    return r;
+  }
 }
 
 template <int N>
@@ -160,6 +220,17 @@ Pack<N> cosh(Pack<N> a) {
   return lane_by_lane(a, [](double s) { return std::cosh(s); });
 }
 
+/// 2^k, where `shifted` is 1.5 * 2^52 + k: its low bits hold the whole number k.
+template <int N>
+Pack<N> power_of_two(Pack<N> shifted) {
+  if constexpr (N > register_lanes) {
+    return {power_of_two(shifted.low), power_of_two(shifted.high)};
+  } else {
+    using Bits = typename VectorExtension<N>::Mask;
+    return Pack<N>(typename Pack<N>::Value((Bits(shifted.value) + 1023LL) << 52));
+  }
+}
+
 /// exp to about one unit in the last place: 2^k exp(r), |r| <= ln(2)/2, exp(r) by its Taylor polynomial of degree 13.
 /// Below -708 the result is 0, above 709 infinity; NaN stays NaN.
 template <int N>
@@ -176,9 +247,7 @@ Pack<N> exp(Pack<N> a) {
       1.0 / 720,        1.0 / 120,       1.0 / 24,       1.0 / 6,       0.5,          1.0,         1.0};
   P poly(c[0]);
   for (int i = 1; i < 14; ++i) poly = poly * r + P(c[i]);
-  using Bits = typename VectorExtension<N>::Mask;
-  auto const exponent = (Bits(shifted.value) + 1023LL) << 52;  // the low bits of `shifted` hold k
-  P const scaled = poly * P(typename P::Value(exponent));
+  P const scaled = poly * power_of_two(shifted);
   P const high = select_lanes(a > P(709.0), P(std::numeric_limits<double>::infinity()), scaled);
   P const low = select_lanes(a < P(-708.0), P(0.0), high);
   return select_lanes(a == a, low, a);

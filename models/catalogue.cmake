@@ -6,6 +6,7 @@ talus_catalogue(Laws law::CamClay models/laws/modified_cam_clay.hpp)
 talus_catalogue(Laws law::CamClaySinh models/laws/modified_cam_clay.hpp)
 talus_catalogue(Laws law::CamClayMuI models/laws/modified_cam_clay.hpp)
 talus_catalogue(Laws law::CamClayMuISinh models/laws/modified_cam_clay.hpp)
+talus_catalogue(Laws law::CamClayMuIHardeningFlow models/laws/cam_clay_hardening_flow.hpp)
 
 talus_catalogue(Kernels kernel::Linear models/kernels/linear.hpp)
 talus_catalogue(Kernels kernel::Quadratic models/kernels/quadratic.hpp)

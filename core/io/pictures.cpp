@@ -49,9 +49,9 @@ std::string title_of(fs::path const& run_folder) {
 }
 
 std::string colour_label(Snapshot const& snapshot, std::string const& field) {
-  auto const* column = snapshot.find(field);
-  auto const name = field == "velocity" ? "speed" : column->components > 1 ? "magnitude of " + field : field;
-  return column->unit == "1" ? name : name + " (" + column->unit + ")";
+  auto const& column = column_of(snapshot, field);
+  auto const name = field == "velocity" ? "speed" : column.components > 1 ? "magnitude of " + field : field;
+  return column.unit == "1" ? name : name + " (" + column.unit + ")";
 }
 
 /// "a × b × c m", for the title of what has no axes to read it from.

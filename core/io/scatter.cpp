@@ -16,13 +16,6 @@ double dot(Direction const& a, Direction const& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-NamedColumn const& column_of(Snapshot const& snapshot, std::string const& name) {
-  if (auto const* column = snapshot.find(name)) return *column;
-  std::string known;
-  for (auto const& column : snapshot.columns) known += (known.empty() ? "" : ", ") + column.name;
-  throw InputError("the frames have no field '" + name + "'; they have " + known);
-}
-
 Direction place(NamedColumn const& position, std::size_t p) {
   auto const width = static_cast<std::size_t>(position.components);
   Direction result{};
@@ -52,6 +45,13 @@ std::uint32_t place_on_curve(double x, double y) {
 }
 
 }  // namespace
+
+NamedColumn const& column_of(Snapshot const& snapshot, std::string const& name) {
+  if (auto const* column = snapshot.find(name)) return *column;
+  std::string known;
+  for (auto const& column : snapshot.columns) known += (known.empty() ? "" : ", ") + column.name;
+  throw InputError("the frames have no field '" + name + "'; they have " + known);
+}
 
 View side_view() {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -11,6 +11,9 @@
 
 namespace talus::io {
 
+/// The column of that name. Throws InputError, which names those that there are.
+[[nodiscard]] NamedColumn const& column_of(Snapshot const& snapshot, std::string const& name);
+
 using Direction = std::array<double, 3>;
 
 /// A parallel projection: unit vectors to the right, upwards, and towards the eye.

@@ -15,8 +15,10 @@ namespace talus::law {
 ///   tau = G (b - I) + lambda ln J I                                                                     (2)
 ///
 /// eps [1]: elastic Hencky strain, tension positive. tau [Pa]: Kirchhoff stress. Psi [J/m^3]: per reference volume.
-/// In reduced plane strain b is the 2x2 tensor of the plane. Where lambda < 0 (nu < 0) Psi is not convex at large
-/// strain. Source: Simo & Pister (1984), doi:10.1016/0045-7825(84)90062-8.
+/// In reduced plane strain b is the 2x2 tensor of the plane. With lambda < 0 (nu < 0) Psi is not convex at large
+/// strain.
+///
+/// Source: Simo & Pister (1984), doi:10.1016/0045-7825(84)90062-8.
 struct NeoHookeanElasticity : Moduli {
   using Moduli::Moduli;
 

@@ -24,8 +24,8 @@ struct Projected {
   }
 };
 
-/// The same by another way: multipliers by cyclic coordinate ascent. Source: Hildreth (1957),
-/// doi:10.1002/nav.3800040113 (from memory).
+/// The same by another way: ascent of the multipliers, one after the other, over and over.
+/// Source: Hildreth (1957), Naval Research Logistics Quarterly 4, 79-85 (from memory).
 template <int D>
 Point<D> by_ascent(std::vector<Constraint<D>> const& constraints, Point<D> x) {
   std::vector<double> multipliers(constraints.size(), 0);

@@ -75,7 +75,7 @@ struct Polyline {
       }
       std::size_t count = 0;
       out[count++] = edges_[nearest.edge].face(x);
-      if (wedged && nearest.edge > 0 && wedge(nearest.edge)) out[count++] = edges_[nearest.edge - 1].face(x);
+      if (wedged && wedge(nearest.edge)) out[count++] = edges_[nearest.edge - 1].face(x);
       if (wedged && wedge(nearest.edge + 1)) out[count++] = edges_[nearest.edge + 1].face(x);
       return static_cast<int>(count);
     }

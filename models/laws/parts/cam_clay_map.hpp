@@ -24,10 +24,11 @@ struct MappedStress {
 ///
 /// Bracket: with side = sign(x_tr), r > 0 at p_tr, and r < 0 wherever side x <= 0, as at x_n = 0: if p_tr is above the
 /// apex pressure the strength can only grow on the way to the surface, if below only shrink, so that the apex never
-/// leaves the bracket. The search cannot fail, and what it returns lies on the surface whatever happened.
+/// leaves the bracket. The search cannot fail, and what it returns lies on the surface whatever happened. Where the
+/// strength falls faster than the stress, as with a hyperbolic sine at p_c << K, there may be several roots: it snaps.
+///
 /// Start: with p_c frozen both coordinates shrink as 1/(1 + multiplier), and the inverse radius is all but linear in
-/// the multiplier; one Newton step for it is within a few per cent of the root. Everything is homogeneous in the
-/// stresses, so they need no scaling.
+/// the multiplier: one Newton step for it. Everything is homogeneous in the stresses, so they need no scaling.
 ///
 /// Cost: one strength, two divisions and one root an evaluation; about four evaluations.
 ///

@@ -13,8 +13,9 @@ namespace talus::law {
 ///
 ///   1e-9 p_c0 <= p_c <= 10 K
 ///
-/// Below, a particle is loose: it keeps its plastic strain and carries next to nothing. At the upper end it is taken as
-/// elastic: pressures of the order of the bulk modulus K are beyond any model of grains.
+/// (and no less than 1e-100 Pa). Below, a particle is loose: it keeps its plastic strain and carries next to nothing.
+/// At the upper end it is taken as elastic: pressures of the order of the bulk modulus K are beyond any model of
+/// grains.
 struct Strength {
   struct Parameters {
     double p_c0 = 100, xi = 50;

@@ -26,10 +26,13 @@ namespace talus::law {
 ///   z^2 - (O + L + R) z + O L = 0,   z = 2 O L/(O + L + R + sqrt((O - L)^2 + R (2 (O + L) + R))),             (3)
 ///
 /// the smaller root, in which nothing cancels. gamma [1/s]: plastic shear rate sqrt(2 D' : D'). S, P [Pa]:
-/// EllipsePoint. At critical state q/p = w (mu_1 + (mu_2 - mu_1)/(sqrt(w) I_0/I_p + 1)) with w = (1 + beta)/(1 - beta)
-/// and I_p = d gamma sqrt(rho_s/p), which for beta = 0 is the law of Jop et al. Source: Jop, Forterre & Pouliquen
-/// (2006), doi:10.1038/nature04801; on the ellipse: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; (3) derived
-/// here.
+/// EllipsePoint.
+///
+/// At critical state q/p = w (mu_1 + (mu_2 - mu_1)/(sqrt(w) I_0/I_p + 1)) with w = (1 + beta)/(1 - beta) and
+/// I_p = d gamma sqrt(rho_s/p), which for beta = 0 is the law of Jop et al.
+///
+/// Source: Jop, Forterre & Pouliquen (2006), doi:10.1038/nature04801; on the ellipse: Blatny, Gray & Gaume (2024),
+/// doi:10.1017/jfm.2024.643; (3) derived here.
 struct MuI {
   /// The strain step is mapped as if there were no viscosity, then the shear stress is given back in part. Where the
   /// material dilates, a step so short that hardly any shear slip is left does negative plastic work.
