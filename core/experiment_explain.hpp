@@ -35,13 +35,10 @@ Explanation ExperimentOf<D>::explain() const {
        {"remap", "the integrator takes the gradient from the moved nodes"});
   told.stages.push_back({"grid to particles", "velocity, position, dt L"});
   told.stages.push_back({"law", "trial strain, return map, state"});
-  when(affine, told.fields, told.left_out, {}, {"affine velocity", "not stored: the transfer's mode is constant"});
-  if (affine) told.fields.pop_back();
-  when(stages.vectors == 2, told.stages, told.left_out,
-       {"second node vector", "impulse, and the velocity before the step"},
-       {"second node vector", "no increment, remap or friction asks for the velocity before the step"});
-  when(stages.friction, told.stages, told.left_out, {"friction field", "mu of the material on the nodes"},
-       {"friction field", "no wall takes its friction from the material"});
+  if (!affine) told.left_out.push_back({"affine velocity", "not stored: the transfer's mode is constant"});
+  if (stages.vectors == 1)
+    told.left_out.push_back({"old node velocity", "no increment, remap or friction asks for a second node vector"});
+  if (!stages.friction) told.left_out.push_back({"friction field", "no wall takes its friction from the material"});
   told.left_out.push_back({"stress, deformation gradient", "never stored: the elastic strain gives both"});
   bool const periodic = std::any_of(scene.periods.begin(), scene.periods.end(), [](auto n) { return n > 0; });
   if (!periodic) told.left_out.push_back({"periodicity", "no axis repeats"});

@@ -151,15 +151,14 @@ int GridPass<D>::walls_near(Point<D> const& centre, double t, std::span<int> nea
 template <int D>
 void GridPass<D>::apply_walls(std::span<int const> near, Point<D> const& x, double t, double dt, double mass,
                               double friction, Point<D>& v, Point<D>* impulses) const {
-  constexpr std::size_t most = 16;
-  std::array<Touch<D>, most> touches;
-  std::array<Point<D>, most> changes;
+  std::array<Touch<D>, most_touches> touches;
+  std::array<Point<D>, most_touches> changes;
   std::array<Surface<D>, Wall<D>::max_surfaces> surfaces;
   std::size_t count = 0;
   for (int w : near) {
     Wall<D> const& wall = *scene_.walls[static_cast<std::size_t>(w)];
     int const n = wall.surfaces(x + dt * v, t + dt, surfaces);
-    for (int s = 0; s < n && count < most; ++s)
+    for (int s = 0; s < n && count < most_touches; ++s)
       if (Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)]; surface.distance <= 0)
         touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
                             wall.contact.material_friction ? friction : wall.contact.friction, w};
@@ -180,7 +179,7 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
   BlockIndex<D> const place = grid.node_block(b);
   Point<D> corner;
   for (int d = 0; d < D; ++d) corner[d] = scene_.spacing * block_edge * place[static_cast<std::size_t>(d)];
-  std::array<int, 64> near_buffer;
+  std::array<int, most_walls> near_buffer;
   int const near_count =
       walls_near(corner + Point<D>::Constant(0.5 * (block_edge - 1) * scene_.spacing), t + dt, near_buffer);
   std::span<int const> const near(near_buffer.data(), static_cast<std::size_t>(near_count));

@@ -17,6 +17,9 @@ struct Surface {
   Point<D> normal;  ///< gradient of the distance: length 1, out of the wall
 };
 
+/// A scene may have this many walls.
+inline constexpr std::size_t most_walls = 64;
+
 /// A wall at run time: a shape that moves, and what it does to what touches it. Virtual a wall, not a node's face: the
 /// arithmetic of a shape is compiled into the one call.
 template <int D>

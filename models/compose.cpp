@@ -4,6 +4,7 @@
 
 #include "core/body.hpp"
 #include "core/experiment_of.hpp"
+#include "core/filling.hpp"
 #include "models/boundaries/make_wall.hpp"
 #include "models/make.hpp"
 
@@ -64,18 +65,8 @@ std::vector<std::unique_ptr<Wall<D>>> walls_of(Case const& document) {
   return walls;
 }
 
-/// The particles of one body.
 template <int D>
-struct Filling {
-  body::Seeds<D> seeds;
-  std::vector<Point<D>> velocities;
-  std::vector<Matrix<double, D>> gradients;
-  std::int32_t material = 0;
-  double density = 0;
-};
-
-template <int D>
-Filling<D> fill(BodyEntry const& entry, Case const& document) {
+Filling<D> filling_of(BodyEntry const& entry, Case const& document) {
   Filling<D> filling;
   entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
     entry.seeding.visit([&]<class P>(std::type_identity<P>, auto const& seeding) {
@@ -96,34 +87,6 @@ Filling<D> fill(BodyEntry const& entry, Case const& document) {
       filling.density = document.materials[m].density;
     }
   return filling;
-}
-
-template <int D>
-void put_particles(Simulation<D>& simulation, std::vector<Filling<D>> const& fillings) {
-  Particles<D>& particles = simulation.particles();
-  Layout const& layout = particles.layout();
-  std::vector<Run> runs;
-  for (Filling<D> const& f : fillings) runs.push_back({0, f.material, 0, static_cast<int>(f.seeds.points.size())});
-  particles.allocate(runs, 1);
-  int const affine = layout.find("affine_velocity");
-  std::vector<std::pair<int, double>> start;
-  double id = 0;
-  for (std::size_t b = 0; b < fillings.size(); ++b) {
-    Filling<D> const& f = fillings[b];
-    start.clear();
-    simulation.scene().materials[static_cast<std::size_t>(f.material)]->start(start);
-    for (std::size_t k = 0; k < f.seeds.points.size(); ++k) {
-      std::ptrdiff_t const slot = particles.runs()[b].first_chunk * lanes + static_cast<std::ptrdiff_t>(k);
-      for (int d = 0; d < D; ++d) {
-        particles.set(slot, layout.find(field::position) + d, f.seeds.points[k][d]);
-        particles.set(slot, layout.find(field::velocity) + d, f.velocities[k][d]);
-        for (int j = 0; affine >= 0 && j < D; ++j) particles.set(slot, affine + d * D + j, f.gradients[k](d, j));
-      }
-      particles.set(slot, layout.find(field::mass), f.seeds.volume * f.density);
-      particles.set(slot, layout.find(field::identity), id++);
-      for (auto const& [pack, value] : start) particles.set(slot, pack, value);
-    }
-  }
 }
 
 std::vector<Explanation::Line> policies_of(Case const& document) {
@@ -170,10 +133,10 @@ std::unique_ptr<Experiment> compose_in(Case const& document) {
   scene.stages = stages_of<D>(document);
   std::vector<Filling<D>> fillings;
   for (std::size_t k = 0; k < document.bodies.size(); ++k)
-    fillings.push_back(located("/bodies/" + std::to_string(k), [&] { return fill<D>(document.bodies[k], document); }));
+    fillings.push_back(
+        located("/bodies/" + std::to_string(k), [&] { return filling_of<D>(document.bodies[k], document); }));
   auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
-  put_particles(*simulation, fillings);
-  simulation->begin();
+  fill(*simulation, fillings);
   return std::make_unique<ExperimentOf<D>>(std::move(simulation), policies_of(document));
 }
 

@@ -65,6 +65,9 @@ void check_bodies(Case const& document, int D, Mistakes& wrong) {
 }
 
 void check_walls(Case const& document, int D, Mistakes& wrong) {
+  if (document.walls.size() > most_walls)
+    wrong.push_back("/walls: found " + std::to_string(document.walls.size()) + " walls; at most " +
+                    std::to_string(most_walls) + " are allowed: join some into a polyline or a container");
   for (std::size_t k = 0; k < document.walls.size(); ++k) {
     WallEntry const& entry = document.walls[k];
     entry.shape.visit([&]<class S>(std::type_identity<S>, auto const&) {

@@ -170,10 +170,10 @@ void cite(Document const& document, bool json) {
 std::string manual() {
   std::string text = "# Manual\n\nMade by `talus describe --all` from the tables in the code; do not edit.\n";
   for (auto const& [title, outline] : program().documents())
-    text += "\n## The document of a " + title + "\n\n" + parameter_table(outline.parts);
+    text += fmt::format("\n## The document of a {}\n\n{}", title, parameter_table(outline.parts));
   for (PolicyKind const& kind : program().catalogue()) {
-    text += "\n## " + std::string(kind.name) + "\n\n" + std::string(kind.meaning) + ".\n";
-    for (Alternative const& policy : kind.policies) text += "\n" + policy_page(policy);
+    text += fmt::format("\n## {}\n\n{}.\n", kind.name, kind.meaning);
+    for (Alternative const& policy : kind.policies) text += fmt::format("\n{}", policy_page(policy));
   }
   return text;
 }

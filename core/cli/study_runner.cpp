@@ -46,20 +46,21 @@ Document case_of(StudyPlan const& plan, std::vector<nlohmann::json> const& value
 
 std::string results_table(StudyPlan const& plan, nlohmann::json const& results) {
   std::string text;
-  for (StudyAxis const& axis : plan.axes) text += axis.path + ",";
-  bool first = true;
-  for (nlohmann::json const& row : results) {
-    if (first) {
-      text += "folder,exit_code,steps,wall_seconds";
-      for (auto const& [name, value] : row["measures"].items()) text += "," + name;
-      text += "\n";
-      first = false;
+  for (StudyAxis const& axis : plan.axes) text += fmt::format("{},", axis.path);
+  text += "folder,exit_code,steps,wall_seconds";
+  for (nlohmann::json const& row : results)
+    if (row.contains("measures")) {
+      for (auto const& [name, value] : row["measures"].items()) text += fmt::format(",{}", name);
+      break;
     }
-    for (nlohmann::json const& value : row["at"]) text += value.dump() + ",";
-    text += row["folder"].get<std::string>() + "," + row["exit_code"].dump() + "," + row["steps"].dump() + "," +
-            row["wall_seconds"].dump();
-    for (auto const& [name, value] : row["measures"].items()) text += "," + value.dump();
-    text += "\n";
+  text += '\n';
+  for (nlohmann::json const& row : results) {
+    for (nlohmann::json const& value : row["at"]) text += fmt::format("{},", value.dump());
+    text += fmt::format("{},{},{},{}", row["folder"].get<std::string>(), row["exit_code"].dump(), row["steps"].dump(),
+                        row["wall_seconds"].dump());
+    if (row.contains("measures"))
+      for (auto const& [name, value] : row["measures"].items()) text += fmt::format(",{}", value.dump());
+    text += '\n';
   }
   return text;
 }

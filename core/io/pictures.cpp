@@ -25,8 +25,9 @@ struct Instant {
   Snapshot snapshot;
 };
 
-/// The frames at about equal distances from the first to the last, those without particles left out.
-std::vector<Instant> choose_instants(fs::path const& run_folder, int count) {
+/// The frames at about equal distances from the first to the last, those without particles left out; of each only what
+/// is drawn.
+std::vector<Instant> choose_instants(fs::path const& run_folder, std::string const& field, int count) {
   auto const frames = read_frame_list(run_folder / "frames.pvd");
   auto const last = static_cast<int>(frames.size()) - 1;
   int const wanted = std::min<int>(std::max(1, count), static_cast<int>(frames.size()));
@@ -34,6 +35,9 @@ std::vector<Instant> choose_instants(fs::path const& run_folder, int count) {
   for (int k = 0; k < wanted; ++k) {
     auto const index = wanted > 1 ? (k * last + (wanted - 1) / 2) / (wanted - 1) : last;
     auto snapshot = read_vtu(run_folder / frames[static_cast<std::size_t>(index)].file);
+    static_cast<void>(column_of(snapshot, field));  // throws where the frames lack it
+    std::erase_if(snapshot.columns,
+                  [&](auto const& column) { return column.name != "position" && column.name != field; });
     if (snapshot.particles() > 0) instants.push_back({fmt::format("{:06}", index), std::move(snapshot)});
   }
   return instants;
@@ -120,7 +124,7 @@ std::string draw_pictures(fs::path const& run_folder, PictureOptions const& opti
   std::error_code error;
   fs::create_directories(plots, error);
   if (error) throw FileError("cannot make the folder " + plots.string() + ": " + error.message());
-  auto const instants = choose_instants(run_folder, options.instants);
+  auto const instants = choose_instants(run_folder, options.field, options.instants);
   auto const rows = run_folder / "series.csv";
   auto const series = fs::exists(rows) ? read_series(rows) : Series{};
   std::vector<Page> pages;

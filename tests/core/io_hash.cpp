@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_particles_and_columns_does_not_matter) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   auto const expected = io::state_hash(heap);
   for (std::size_t turn : {1u, 7u, 71u}) {
-    std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(turn));
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(turn), order.end());
     std::swap(order[0], order[turn]);
     auto shuffled = with_order(heap, order);
     std::ranges::reverse(shuffled.columns);

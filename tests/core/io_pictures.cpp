@@ -36,7 +36,8 @@ fs::path run_of(fs::path const& path, int dimension, int across) {
   return path;
 }
 
-bool has_gnuplot() {
+/// Without gnuplot a case is reported as skipped.
+boost::test_tools::assertion_result gnuplot_is_there(boost::unit_test::test_unit_id) {
   TemporaryFolder const folder;
   io::write_atomically(folder / "nothing.gp", "");
   return io::run_gnuplot(folder.path(), "nothing.gp").empty();
@@ -123,8 +124,7 @@ BOOST_AUTO_TEST_CASE(text_of_the_user_cannot_leave_its_string) {
   BOOST_TEST(io::gnuplot_string("a`touch x`\nsystem(\"b\")\t") == "'a''touch x'' system(\"b\") '");
 }
 
-BOOST_AUTO_TEST_CASE(every_picture_comes_as_png_and_svg) {
-  if (!has_gnuplot()) return;
+BOOST_AUTO_TEST_CASE(every_picture_comes_as_png_and_svg, *boost::unit_test::precondition(gnuplot_is_there)) {
   TemporaryFolder const folder;
   for (int dimension : {2, 3}) {
     BOOST_TEST_CONTEXT(dimension << " dimensions") {
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(every_picture_comes_as_png_and_svg) {
       if (dimension == 3) names.push_back("particles_side");
       for (auto const& name : names) {
         BOOST_TEST(io::read_file(run / "plots" / (name + ".png")).starts_with("\x89PNG"), name);
-        BOOST_TEST(io::read_file(run / "plots" / (name + ".svg")).ends_with("</svg>\n\n"), name);
+        BOOST_TEST(io::read_file(run / "plots" / (name + ".svg")).find("</svg>") != std::string::npos, name);
       }
       BOOST_TEST(io::read_file(run / "plots/pictures.log") == "");  // not even a warning
       for (auto const& entry : fs::directory_iterator(run / "plots")) BOOST_TEST(entry.path().extension() != ".tmp");
@@ -142,8 +142,7 @@ BOOST_AUTO_TEST_CASE(every_picture_comes_as_png_and_svg) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(svg_pictures_of_many_particles_stay_small) {
-  if (!has_gnuplot()) return;
+BOOST_AUTO_TEST_CASE(svg_pictures_of_many_particles_stay_small, *boost::unit_test::precondition(gnuplot_is_there)) {
   TemporaryFolder const folder;
   auto const run = run_of(folder / "run", 2, 250);  // 31 250 particles
   BOOST_TEST(io::draw_pictures(run) == "");
@@ -151,8 +150,7 @@ BOOST_AUTO_TEST_CASE(svg_pictures_of_many_particles_stay_small) {
     BOOST_TEST(fs::file_size(run / "plots" / name) < 3'000'000u, name);
 }
 
-BOOST_AUTO_TEST_CASE(the_sheet_shows_the_first_and_the_last_frame) {
-  if (!has_gnuplot()) return;
+BOOST_AUTO_TEST_CASE(the_sheet_shows_the_first_and_the_last_frame, *boost::unit_test::precondition(gnuplot_is_there)) {
   TemporaryFolder const folder;
   auto const run = run_of(folder / "run", 2, 16);
   BOOST_TEST(io::draw_pictures(run, {.field = "id", .instants = 4}) == "");
@@ -163,8 +161,8 @@ BOOST_AUTO_TEST_CASE(the_sheet_shows_the_first_and_the_last_frame) {
   BOOST_TEST(sheet.find("it's a 'heap' \\ ") != sheet.npos);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_without_particles_or_with_one_still_has_its_pictures) {
-  if (!has_gnuplot()) return;
+BOOST_AUTO_TEST_CASE(a_run_without_particles_or_with_one_still_has_its_pictures,
+                     *boost::unit_test::precondition(gnuplot_is_there)) {
   TemporaryFolder const folder;
   auto const run = io::RunFolder::create(folder / "run", false);
   std::vector<io::Frame> frames;

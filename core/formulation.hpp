@@ -1,0 +1,67 @@
+#pragma once
+/// A solver composed at compile time: a struct of choices, checked when it is named.
+///
+///     struct Sand {
+///       using Kinematics = kinematics::PlaneStrain;
+///       using Kernel = kernel::Quadratic;
+///       using Transfer = transfer::Apic;
+///       using Integrator = integrator::Usl;
+///       using Law = law::DruckerPrager;
+///     };
+///     struct Clay : Sand { using Law = law::CamClay; };   // a variant overrides a line
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/filling.hpp"
+
+namespace talus {
+
+/// The choices that make a solver. Each must fulfil its own concept, and an affine transfer needs a kernel with a
+/// constant inertia.
+template <class F>
+concept Formulation = Kinematics<typename F::Kinematics> && Kernel<typename F::Kernel> &&
+    Transfer<typename F::Transfer> && Integrator<typename F::Integrator> && Law<typename F::Law> &&
+    (!F::Transfer::affine || F::Kernel::inertia > 0);
+
+/// The fields that a particle of a formulation has, at compile time.
+template <Formulation F>
+using ParticlesOf = Unite<Fields<field::Position, field::Velocity, field::Mass, field::ElasticStrain>,
+                          typename F::Transfer::State, typename F::Law::State, Fields<field::Identity>>;
+
+/// The values that go with a formulation.
+template <Formulation F>
+struct Setup {
+  static constexpr int D = F::Kinematics::dimension;
+  double spacing = 0;                   ///< h [m]
+  double density = 0;                   ///< [kg/m^3]
+  Point<D> gravity = Point<D>::Zero();  ///< [m/s^2]
+  typename F::Law::Parameters law = {};
+  typename F::Transfer::Parameters transfer = {};
+  StepLimits limits = {};
+};
+
+/// A simulation of one material that fills a body; it has begun.
+template <Formulation F>
+[[nodiscard]] auto compose(Setup<F> const& setup, body::Seeds<Setup<F>::D> seeds,
+                           std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls = {}) {
+  constexpr int D = Setup<F>::D;
+  Scene<D> scene;
+  scene.spacing = setup.spacing;
+  scene.gravity = setup.gravity;
+  scene.limits = setup.limits;
+  scene.strain_size = Symmetric<double, typename F::Kinematics::Shape>::size;
+  scene.walls = std::move(walls);
+  scene.materials.push_back(std::make_unique<MaterialOf<typename F::Kinematics, typename F::Law>>(
+      std::string(F::Law::name), setup.density, setup.law));
+  bool rubs = false;
+  for (auto const& wall : scene.walls) rubs = rubs || wall->contact.material_friction;
+  scene.stages = std::make_unique<StagesOf<D, typename F::Kernel, typename F::Transfer, typename F::Integrator>>(
+      setup.transfer, rubs);
+  auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
+  fill(*simulation, {Filling<D>{std::move(seeds), {}, {}, 0, setup.density}});
+  return simulation;
+}
+
+}  // namespace talus
