@@ -25,12 +25,20 @@ struct Instant {
   Snapshot snapshot;
 };
 
+/// How many instants to show of frames 0 to `last`: `most`, or up to two less if they then are equally far apart.
+int count_instants(int last, int most) {
+  if (most > last) return last + 1;
+  for (int count = most; count >= 4 && count >= most - 2; --count)
+    if (last % (count - 1) == 0) return count;
+  return std::max(1, most);
+}
+
 /// The frames at about equal distances from the first to the last, those without particles left out; of each only what
 /// is drawn.
-std::vector<Instant> choose_instants(fs::path const& run_folder, std::string const& field, int count) {
+std::vector<Instant> choose_instants(fs::path const& run_folder, std::string const& field, int most) {
   auto const frames = read_frame_list(run_folder / "frames.pvd");
   auto const last = static_cast<int>(frames.size()) - 1;
-  int const wanted = std::min<int>(std::max(1, count), static_cast<int>(frames.size()));
+  int const wanted = count_instants(last, most);
   std::vector<Instant> instants;
   for (int k = 0; k < wanted; ++k) {
     auto const index = wanted > 1 ? (k * last + (wanted - 1) / 2) / (wanted - 1) : last;

@@ -6,8 +6,8 @@
 
 namespace talus::io {
 
-/// What the pictures show: particles coloured by the magnitude of a field, at so many instants from the first to the
-/// last frame.
+/// What the pictures show: particles coloured by the magnitude of a field, at up to so many instants from the first to
+/// the last frame, at equal distances where the number of frames allows it.
 struct PictureOptions {
   std::string field = "velocity";
   int instants = 6;

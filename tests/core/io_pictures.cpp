@@ -161,6 +161,19 @@ BOOST_AUTO_TEST_CASE(the_sheet_shows_the_first_and_the_last_frame, *boost::unit_
   BOOST_TEST(sheet.find("it's a 'heap' \\ ") != sheet.npos);
 }
 
+BOOST_AUTO_TEST_CASE(instants_are_equally_far_apart_where_the_frames_allow_it,
+                     *boost::unit_test::precondition(gnuplot_is_there)) {
+  TemporaryFolder const folder;
+  auto const run = io::RunFolder::create(folder / "run", false);
+  std::vector<io::Frame> frames;
+  for (int k = 0; k < 9; ++k) run.add_frame(collapsing_heap(2, 8, 0.1 * k), frames);
+  BOOST_TEST(io::draw_pictures(run.path()) == "");  // frames 0 to 8: not six, but five
+  std::string shown;
+  for (int k = 0; k < 9; ++k)
+    if (fs::exists(run.path() / ("plots/side_00000" + std::to_string(k) + ".dat"))) shown += std::to_string(k);
+  BOOST_TEST(shown == "02468");
+}
+
 BOOST_AUTO_TEST_CASE(a_run_without_particles_or_with_one_still_has_its_pictures,
                      *boost::unit_test::precondition(gnuplot_is_there)) {
   TemporaryFolder const folder;

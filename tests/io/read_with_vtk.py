@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Reads frames with VTK's own reader and compares them with what they should hold.
 
-usage: read_with_vtk.py FRAME.vtu [EXPECTED.json | EXPECTED.csv]
+usage: read_with_vtk.py                  reads a frame of its own, right and wrong (what CTest runs)
+       read_with_vtk.py FRAME.vtu [EXPECTED.json | EXPECTED.csv]
        read_with_vtk.py FRAMES.pvd
 
 A frame is compared with the file beside it (same stem, .json or .csv) unless another is named. Every frame must hold one
@@ -21,6 +22,7 @@ import csv
 import json
 import pathlib
 import sys
+import tempfile
 import xml.etree.ElementTree
 
 try:
@@ -137,6 +139,31 @@ def check_list(path):
         require(own == time, f"{frame}: its own time is {own}, in the list it is {time}")
 
 
+OWN = """<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
+<FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">0.5</DataArray></FieldData>
+<Piece NumberOfPoints="1" NumberOfCells="1">
+<PointData><DataArray type="Float64" Name="mass" format="ascii">2</DataArray></PointData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 1 0</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">1</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">1</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>"""
+
+
+def judge_itself():
+    """A right frame is taken; one expected otherwise, and one that is cut off, are not."""
+    with tempfile.TemporaryDirectory() as folder:
+        frame, expected = pathlib.Path(folder, "own.vtu"), pathlib.Path(folder, "own.json")
+        frame.write_text(OWN, encoding="utf-8")
+        codes = []
+        for mass in (2, 3):
+            expected.write_text(json.dumps({"points": 1, "time": 0.5, "arrays": {"mass": {"min": [mass]}}}))
+            codes.append(main([str(frame)]))
+        frame.write_text(OWN[:400], encoding="utf-8")
+        codes.append(main([str(frame)]))
+    return 0 if codes == [0, 1, 1] else 1
+
+
 def main(arguments):
     path = pathlib.Path(arguments[0]) if arguments else None
     if path is None or len(arguments) > 2 or path.suffix not in (".vtu", ".pvd"):
@@ -158,4 +185,5 @@ def main(arguments):
     return 0
 
 
-sys.exit(main(sys.argv[1:]))
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]) if len(sys.argv) > 1 else judge_itself())
