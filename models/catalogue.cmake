@@ -2,6 +2,7 @@
 talus_catalogue(Laws law::Hencky models/laws/hencky.hpp)
 talus_catalogue(Laws law::NeoHookean models/laws/neo_hookean.hpp)
 talus_catalogue(Laws law::DruckerPrager models/laws/drucker_prager.hpp)
+talus_catalogue(Laws law::VonMises models/laws/von_mises.hpp)
 talus_catalogue(Laws law::CamClay models/laws/modified_cam_clay.hpp)
 talus_catalogue(Laws law::CamClaySinh models/laws/modified_cam_clay.hpp)
 talus_catalogue(Laws law::CamClayMuI models/laws/modified_cam_clay.hpp)
