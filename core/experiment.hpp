@@ -16,6 +16,9 @@ struct Quantity {
   std::string name, symbol, unit, meaning;
 };
 
+/// The columns of the series in D dimensions with walls of these names.
+[[nodiscard]] std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls);
+
 /// What is composed, for people: one line each.
 struct Explanation {
   struct Line {

@@ -5,36 +5,11 @@
 
 namespace talus {
 
-namespace detail {
-inline constexpr std::string_view axis_names[] = {"x", "y", "z"};
-}
-
 template <int D>
 std::vector<Quantity> ExperimentOf<D>::quantities() const {
-  std::vector<Quantity> list{{"time", "t", "s", "time"},
-                             {"step", "n", "1", "steps taken"},
-                             {"dt", "dt", "s", "last time step"},
-                             {"front", "x_f", "m", "advance of the farthest particle along x"}};
-  for (int d = 0; d < D; ++d) {
-    std::string const axis(detail::axis_names[d]);
-    list.push_back({"centre_of_mass_" + axis, "x_c", "m", "centre of mass along " + axis});
-  }
-  for (int d = 0; d < D; ++d) {
-    std::string const axis(detail::axis_names[d]);
-    list.push_back({"mean_velocity_" + axis, "v_c", "m/s", "momentum over mass along " + axis});
-  }
-  list.push_back({"speed_rms", "v_rms", "m/s", "root mean square of the speed, by mass"});
-  list.push_back({"speed_max", "v_max", "m/s", "largest speed"});
-  list.push_back({"kinetic_energy", "E_k", "J", "kinetic energy of the particles' velocities"});
-  list.push_back({"elastic_energy", "E_e", "J", "stored elastic energy"});
-  list.push_back({"potential_energy", "E_g", "J", "potential energy of gravity, zero at the origin"});
-  list.push_back(
-      {"volume_ratio", "J", "1", "volume over initial volume of all particles; solid fraction is phi_0 / J"});
-  for (auto const& wall : simulation_->scene().walls)
-    for (int d = 0; d < D; ++d)
-      list.push_back({"impulse_" + wall->name + "_" + std::string(detail::axis_names[d]), "I", "kg m/s",
-                      "impulse of the wall since the start"});
-  return list;
+  std::vector<std::string> walls;
+  for (auto const& wall : simulation_->scene().walls) walls.push_back(wall->name);
+  return series_quantities(D, walls);
 }
 
 template <int D>

@@ -1,11 +1,19 @@
 #pragma once
 /// The passes of a step: what core/simulation.hpp declares.
 
+#include <sstream>
 #include <string>
 
 #include "core/simulation.hpp"
 
 namespace talus {
+
+/// A number in six digits, for messages.
+inline std::string in_short(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
 
 template <int D>
 void Simulation<D>::measure() {
@@ -39,9 +47,13 @@ void Simulation<D>::advance(double end) {
   constexpr double drift_limit = 1 - 1e-6;
   last_ = next(end);
   double const dt = last_.dt;
-  if (!(dt > 0) || time_ + dt == time_)
-    throw RunError("the time step has become too small to advance the clock: dt = " + std::to_string(dt) +
-                   " s, limited by " + std::string(last_.limiter));
+  // A step a million times shorter than the stiffness asks for leads nowhere in a lifetime.
+  bool const too_short = last_.limiter != "end" && !(dt > 1e-6 * elastic_step(scene_));
+  if (!(dt > 0) || time_ + dt == time_ || too_short)
+    throw RunError("the time step has become too small: dt = " + in_short(dt) + " s at t = " + in_short(time_) +
+                   " s, limited by: " + std::string(last_.limiter) + "; the largest speed is " +
+                   in_short(motion_.speed) +
+                   " m/s. Likely causes: a velocity far above the wave speed, a state that blows up");
   if (drift_ > drift_limit) sort();
   particles_to_grid(dt);
   Impulses<D> const impulses = pass_.move(grid_, time_, dt);
@@ -109,15 +121,16 @@ void Simulation<D>::stop(double dt) const {
   std::string text = motion_.cause == Motion::Cause::inverted
                          ? "an element inverted: det(I + dt L) <= 0 at particle "
                          : "the state of a particle is no longer finite: particle ";
-  text += std::to_string(motion_.failed) + " in the step from t = " + std::to_string(time_) +
-          " s, dt = " + std::to_string(dt) + " s (limited by " + std::string(last_.limiter) + ").";
+  text += std::to_string(motion_.failed) + " in the step from t = " + in_short(time_) + " s, dt = " + in_short(dt) +
+          " s (limited by " + std::string(last_.limiter) + ").";
   particles_.for_each([&](std::ptrdiff_t slot, int material) {
     if (static_cast<long>(particles_.get(slot, layout.find(field::identity))) != motion_.failed) return;
     text += "\n  material = " + scene_.materials[static_cast<std::size_t>(material)]->name;
     for (Column const& column : layout.columns())
       for (int k = 0; k < column.components; ++k)
         text += "\n  " + std::string(column.info.name) + "[" + std::to_string(k) +
-                "] = " + std::to_string(particles_.get(slot, column.offset + k)) + " " + std::string(column.info.unit);
+                "] = " + in_short(particles_.get(slot, column.offset + k)) +
+                (column.info.unit == "1" ? "" : " " + std::string(column.info.unit));
   });
   text +=
       "\nLikely causes: a time step too long for the stiffness (lower /time/safety), a velocity far above the wave "

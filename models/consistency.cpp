@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -95,6 +96,19 @@ void check_transfer(Case const& document, Mistakes& wrong) {
   });
 }
 
+void check_measures(Case const& document, int D, Mistakes& wrong) {
+  std::vector<std::string> walls;
+  for (WallEntry const& entry : document.walls) walls.push_back(entry.name);
+  auto const known = series_quantities(D, walls);
+  std::string names;
+  for (Quantity const& q : known) names += (names.empty() ? "" : ", ") + q.name;
+  for (std::size_t k = 0; k < document.expect.size(); ++k)
+    if (std::none_of(known.begin(), known.end(),
+                     [&](Quantity const& q) { return q.name == document.expect[k].measure; }))
+      wrong.push_back(at("expect", k, "measure") + ": '" + document.expect[k].measure +
+                      "' is no measure of this case; there are: " + names);
+}
+
 }  // namespace
 
 int dimension_of_kinematics(std::string_view name) {
@@ -116,6 +130,7 @@ std::vector<std::string> inconsistencies(Case const& document) {
   check_names(document.walls, "walls", wrong);
   check_bodies(document, D, wrong);
   check_walls(document, D, wrong);
+  check_measures(document, D, wrong);
   return wrong;
 }
 

@@ -24,18 +24,17 @@ P read_with_space(Document const& document, Reader& reader, std::string const& s
 }
 
 /// Adds what the consistency check finds, with the pointer put behind `base`.
-void add_inconsistencies(Case const& values, Document const& document, std::string const& base, Reader& reader) {
+void add_inconsistencies(Case const& values, std::string const& base, Reader& reader) {
   for (std::string const& text : inconsistencies(values)) {
     auto const colon = text.find(": ");
     std::string const pointer = base + text.substr(0, colon);
     reader.refuse(pointer, text.substr(colon + 2), {});
   }
-  (void)document;
 }
 
 Case read_case(Document const& document, Reader& reader) {
   Case values = read_with_space<Case>(document, reader, "/kinematics/type");
-  if (reader.mistakes.empty()) add_inconsistencies(values, document, "", reader);
+  if (reader.mistakes.empty()) add_inconsistencies(values, "", reader);
   return values;
 }
 
@@ -43,7 +42,9 @@ Study read_study(Document const& document, Reader& reader) {
   Study values = read_with_space<Study>(document, reader, "/base/kinematics/type");
   if (!reader.mistakes.empty()) return values;
   if (values.schema != Study::tag) reader.refuse("/schema", "'" + values.schema + "'", std::string(Study::tag));
-  add_inconsistencies(values.base, document, "/base", reader);
+  Case base = values.base;
+  for (StudyExpectationEntry const& entry : values.expect) base.expect.push_back(entry);
+  add_inconsistencies(base, "/base", reader);
   for (std::size_t k = 0; k < values.expect.size(); ++k)
     if (values.expect[k].at.size() != values.axes.size())
       reader.refuse("/expect/" + std::to_string(k) + "/at", std::to_string(values.expect[k].at.size()) + " values",
@@ -101,7 +102,8 @@ class Models final : public Program {
     Reader reader(document);
     Study const values = read_study(document, reader);
     reader.throw_if_mistaken();
-    StudyPlan plan{values.title, values.cite, document.value["base"], {}, {}};
+    StudyPlan plan{values.title, values.cite, document.value["base"], {}, {}, {}};
+    write(values.base, plan.resolved_base);
     auto const json_of = [](std::vector<AnyValue> const& list) {
       std::vector<nlohmann::json> out;
       for (AnyValue const& value : list) write(value, out.emplace_back());

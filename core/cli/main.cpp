@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 
 #include "core/build_info.hpp"
 #include "core/cli/runner.hpp"
 #include "core/cli/show.hpp"
+#include "core/config/nearest.hpp"
 #include "core/io/files.hpp"
 #include "core/io/pictures.hpp"
 
@@ -64,7 +66,7 @@ void add_run_options(CLI::App* verb, Arguments& a) {
       ->check(CLI::Range(0, 1024));
   verb->add_option("--until", a.run.until, "Stop at the first step at or after this time [s] and write a checkpoint.");
   verb->add_flag("-q,--quiet", a.run.quiet, "No progress.");
-  verb->add_flag("!--no-pictures", a.run.pictures, "Draw no pictures at the end.");
+  verb->add_flag("!--no-pictures", a.run.pictures, "Draw no pictures at the end");
   verb->add_flag("--json", a.json, "The summary as JSON on standard output.");
 }
 
@@ -157,6 +159,18 @@ void hand_over(int argc, char** argv) {
   execv(other.c_str(), argv + 1);
 }
 
+/// Refuses a verb that there is not, with the nearest one that there is; true if it did.
+bool refuse_unknown_verb(CLI::App const& app, std::string const& verb) {
+  std::vector<std::string> names;
+  for (CLI::App const* sub : app.get_subcommands([](CLI::App const*) { return true; }))
+    names.push_back(sub->get_name());
+  if (std::find(names.begin(), names.end(), verb) != names.end()) return false;
+  auto const near = nearest(verb, {names.begin(), names.end()});
+  fmt::print(stderr, "talus: '{}' is no verb;{} 'talus --help' lists them\n", verb,
+             near ? " did you mean '" + std::string(*near) + "'?" : "");
+  return true;
+}
+
 /// The exit code of what a verb threw; the message goes to standard error.
 int told(std::exception const& error) {
   fmt::print(stderr, "talus: {}\n", error.what());
@@ -186,6 +200,7 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "talus: '{}' is not in this build\n", verb);
       return not_in_this_build;
     }
+  if (argc > 1 && argv[1][0] != '-' && refuse_unknown_verb(app, argv[1])) return usage_error;
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {

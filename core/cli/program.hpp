@@ -60,7 +60,8 @@ struct StudyExpectation {
 struct StudyPlan {
   std::string title;
   std::vector<std::string> cite;
-  nlohmann::json base;
+  nlohmann::json base;           ///< as given
+  nlohmann::json resolved_base;  ///< with all defaults
   std::vector<StudyAxis> axes;
   std::vector<StudyExpectation> expect;
 };

@@ -1,7 +1,6 @@
 #include "core/cli/runner.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
@@ -31,12 +30,6 @@ struct Schedule {
   [[nodiscard]] bool due(double time) const { return time >= static_cast<double>(done) * every * (1 - 1e-14); }
   void mark(double time) { done = static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-14))) + 1; }
 };
-
-double peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
 
 /// One run: what it holds open, and what it has written so far.
 class Run {
@@ -165,7 +158,7 @@ nlohmann::json Run::summary(ExitCode code, std::vector<Verdict> const& verdicts)
   auto const work =
       static_cast<double>(experiment().steps() - first_step_) * static_cast<double>(experiment().particles());
   document["particle_steps_per_second"] = wall_seconds_ > 0 ? work / wall_seconds_ : 0.0;
-  document["peak_memory_bytes"] = peak_memory_bytes();
+  document["peak_memory_bytes"] = io::peak_memory();
   if (!failure_.empty()) {
     document["failure"] = failure_;
     return document;
@@ -181,7 +174,8 @@ RunResult Run::finish(ExitCode code) {
   RunResult result;
   bool const finished = experiment().time() >= composed_.plan.end;
   if (code == done && finished) {
-    result.verdicts = judge(composed_.plan.expect, io::read_series(folder_.series()), "");
+    result.verdicts =
+        judge(before_end(composed_.plan.expect, composed_.plan.end), io::read_series(folder_.series()), "");
     for (Verdict const& v : result.verdicts)
       if (!v.passed) code = expectation_failed;
   }
@@ -195,7 +189,12 @@ RunResult Run::finish(ExitCode code) {
                                                          : io::Outcome::stopped;
   folder_.write_status({outcome, static_cast<int>(code), experiment().time(), experiment().steps()});
   if (options_.pictures && code != computation_failed) {
-    std::string const trouble = io::draw_pictures(folder_.path());
+    std::string trouble;
+    try {
+      trouble = io::draw_pictures(folder_.path());
+    } catch (FileError const& error) {
+      trouble = error.what();
+    }
     if (!trouble.empty() && !options_.quiet) fmt::print(stderr, "no pictures: {}\n", trouble);
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/cli/study_cases.hpp"
 #include "core/config/manual.hpp"
 #include "core/config/nearest.hpp"
 #include "core/config/schema.hpp"
@@ -32,8 +33,15 @@ ExitCode check(std::vector<std::string> const& files, bool json) {
       CheckedCase const checked = program().check(document);
       for (Mistake const& mistake : checked.mistakes) say(file, "mistake", mistake.text(file));
       for (Mistake const& warning : checked.warnings) say(file, "warning", warning.text(file));
-      good = good && checked.mistakes.empty();
-      if (checked.mistakes.empty()) say(file, "valid", file);
+      std::vector<std::string> further;
+      if (checked.mistakes.empty() && is_study(document.value)) {
+        StudyPlan const plan = program().study(document);
+        further = study_mistakes(plan, cases_of(plan));
+      }
+      for (std::string const& mistake : further) say(file, "mistake", fmt::format("{}: {}", file, mistake));
+      bool const valid = checked.mistakes.empty() && further.empty();
+      good = good && valid;
+      if (valid) say(file, "valid", file);
     } catch (InputError const& error) {
       good = false;
       say(file, "mistake", error.what());
@@ -60,7 +68,18 @@ void print_lines(std::string_view heading, std::vector<Explanation::Line> const&
 
 }  // namespace
 
+namespace {
+
+void refuse_study(Document const& document) {
+  if (is_study(document.value))
+    throw InputError(document.name +
+                     ": this is a study; give one of its cases, as in runs/NAME/cases/case_000/case.json");
+}
+
+}  // namespace
+
 void explain(Document const& document, bool json) {
+  refuse_study(document);
   Composed const composed = program().compose(document);
   Explanation const told = composed.experiment->explain();
   double const steps = composed.plan.end / told.first_step.dt;
@@ -112,7 +131,7 @@ void list(std::string const& kind, bool json) {
       if (json)
         out[std::string(k.name)].push_back({{"name", policy.name}, {"title", policy.title}});
       else
-        fmt::print("  {:30} {}\n", policy.name, policy.title);
+        fmt::print("  {:40} {}\n", policy.name, policy.title);
     }
   }
   if (!found) throw InputError("'" + kind + "' is no kind of policy; there are: " + names);
@@ -131,21 +150,22 @@ void describe(std::string const& name, bool json) {
     return;
   }
   bool found = false;
+  nlohmann::json pages = nlohmann::json::array();
   for (PolicyKind const& kind : program().catalogue())
     for (Alternative const& policy : kind.policies) {
       known.push_back(policy.name);
       if (policy.name != name) continue;
       found = true;
       if (json)
-        fmt::print("{}\n", nlohmann::json{{"kind", kind.name},
-                                          {"name", policy.name},
-                                          {"title", policy.title},
-                                          {"source", policy.source},
-                                          {"page", policy_page(policy)}}
-                               .dump(2));
+        pages.push_back({{"kind", kind.name},
+                         {"name", policy.name},
+                         {"title", policy.title},
+                         {"source", policy.source},
+                         {"page", policy_page(policy)}});
       else
-        fmt::print("{}", policy_page(policy));
+        fmt::print("({})\n{}", kind.name, policy_page(policy));
     }
+  if (json && found) fmt::print("{}\n", pages.dump(2));
   if (!found) {
     auto const near = nearest(name, known);
     throw InputError("nothing is called '" + name + "';" + (near ? " did you mean '" + std::string(*near) + "'?" : "") +
@@ -154,6 +174,7 @@ void describe(std::string const& name, bool json) {
 }
 
 void cite(Document const& document, bool json) {
+  refuse_study(document);
   Composed const composed = program().compose(document);
   std::set<std::string> sources(composed.plan.cite.begin(), composed.plan.cite.end());
   for (auto const& line : composed.experiment->explain().policies)

@@ -37,6 +37,11 @@ std::vector<Verdict> judge(std::vector<ExpectedValue> const& expected, io::Serie
   return verdicts;
 }
 
+std::vector<ExpectedValue> before_end(std::vector<ExpectedValue> expected, double end) {
+  std::erase_if(expected, [end](ExpectedValue const& e) { return e.time > end; });
+  return expected;
+}
+
 std::string verdict_table(std::vector<Verdict> const& verdicts) {
   std::size_t where = 4, measure = 7;
   for (Verdict const& v : verdicts) {

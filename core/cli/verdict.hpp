@@ -22,6 +22,9 @@ struct Verdict {
 [[nodiscard]] std::vector<Verdict> judge(std::vector<ExpectedValue> const& expected, io::Series const& series,
                                          std::string const& where);
 
+/// The expectations that a run to `end` [s] can be judged by.
+[[nodiscard]] std::vector<ExpectedValue> before_end(std::vector<ExpectedValue> expected, double end);
+
 /// A table for people: measure, time, expected, found, deviation, tolerance, verdict.
 [[nodiscard]] std::string verdict_table(std::vector<Verdict> const& verdicts);
 [[nodiscard]] nlohmann::json verdict_document(std::vector<Verdict> const& verdicts);

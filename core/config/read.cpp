@@ -29,7 +29,10 @@ void Reader::warn(std::string const& pointer, std::string found, std::string exp
 void Reader::throw_if_mistaken() const {
   if (mistakes.empty()) return;
   std::string all;
-  for (Mistake const& mistake : mistakes) all += (all.empty() ? "" : "\n") + mistake.text(name);
+  for (Mistake const& mistake : mistakes) {
+    if (!all.empty()) all += '\n';
+    all += mistake.text(name);
+  }
   throw InputError(all);
 }
 

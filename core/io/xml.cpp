@@ -35,7 +35,7 @@ std::string escape(std::string_view text) {
 }
 
 std::optional<std::string> attribute(std::string_view tag, std::string_view name) {
-  auto const start = tag.find(" " + std::string(name) + "=\"");
+  auto const start = tag.find(std::string(1, ' ').append(name).append("=\""));
   if (start == tag.npos) return {};
   auto const value = start + name.size() + 3;
   auto const end = tag.find('"', value);
@@ -44,7 +44,7 @@ std::optional<std::string> attribute(std::string_view tag, std::string_view name
 }
 
 std::string_view next_tag(std::string_view document, std::string_view name, std::size_t& at) {
-  auto const start = document.find("<" + std::string(name) + " ", at);
+  auto const start = document.find(std::string(1, '<').append(name).append(" "), at);
   if (start == document.npos) return {};
   auto const end = document.find('>', start);
   if (end == document.npos) return {};

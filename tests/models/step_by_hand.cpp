@@ -1,11 +1,7 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 #include <vector>
 
 #include "models/boundaries/contacts/separating.hpp"
@@ -25,153 +21,13 @@
 #include "models/transfers/aflip.hpp"
 #include "models/transfers/apic.hpp"
 #include "models/transfers/flip.hpp"
-#include "models/transfers/pic.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/step_by_hand.hpp"
 
 using namespace talus;
-using support::Seed;
+using support::ByHand, support::Seed;
 
 namespace {
-
-/// Cardinal B-spline of a degree by the recursion of Cox and de Boor, and its slope.
-double spline(int degree, double u) {
-  if (degree == 0) return -0.5 <= u && u < 0.5 ? 1 : 0;
-  double const edge = 0.5 * (degree + 1);
-  return ((edge + u) * spline(degree - 1, u + 0.5) + (edge - u) * spline(degree - 1, u - 0.5)) / degree;
-}
-double slope(int degree, double u) {
-  return spline(degree - 1, u + 0.5) - spline(degree - 1, u - 0.5);
-}
-
-/// A step of the material point method as a textbook has it: one particle after the other, nodes in a map.
-template <class Kinematics, class Law>
-class ByHand {
- public:
-  static constexpr int D = Kinematics::dimension;
-  using Shape = typename Kinematics::Shape;
-  using Tensor = Eigen::Matrix<double, D, D>;
-  /// Velocity that the walls leave a node that would move to x.
-  using Walls = std::function<Point<D>(Point<D> const& x, Point<D> v)>;
-
-  struct Particle {
-    Point<D> x, v;
-    Tensor C = Tensor::Zero();
-    Symmetric<double, Shape> strain{};
-    Record<double, typename Law::State> state;
-    double mass = 0;
-  };
-
-  int degree;
-  bool affine;
-  double alpha, spacing, density, least_mass;
-  Law law;
-  Point<D> gravity;
-  Walls walls;
-  std::vector<Particle> particles{};
-
-  void fill(std::vector<Seed<D>> const& seeds) {
-    for (auto const& seed : seeds)
-      particles.push_back({seed.x, seed.v, Tensor::Zero(), {}, law.template initial<Shape>(), seed.mass});
-  }
-
-  void step(double dt) {
-    nodes_.clear();
-    for (Particle const& p : particles) to_nodes(p);
-    for (auto& [index, node] : nodes_) move(index, node, dt);
-    for (Particle& p : particles) from_nodes(p, dt);
-  }
-
- private:
-  using Index = std::array<int, static_cast<std::size_t>(D)>;
-  struct Node {
-    double mass = 0;
-    Point<D> momentum = Point<D>::Zero(), force = Point<D>::Zero(), old = Point<D>::Zero(), v = Point<D>::Zero();
-  };
-
-  [[nodiscard]] Point<D> place(Index const& index) const {
-    Point<D> x;
-    for (int d = 0; d < D; ++d) x[d] = index[static_cast<std::size_t>(d)] * spacing;
-    return x;
-  }
-
-  /// Calls f(index, weight, gradient of the weight) for the nodes that a particle at x sees.
-  template <class F>
-  void for_each_node(Point<D> const& x, F const& f) const {
-    int const width = degree + 2;
-    Index first;
-    for (std::size_t d = 0; d < D; ++d)
-      first[d] = static_cast<int>(std::floor(x[static_cast<int>(d)] / spacing - 0.5 * (degree + 1)));
-    for (int number = 0; number < std::pow(width, D); ++number) {
-      Index index = first;
-      int rest = number;
-      for (std::size_t d = 0; d < D; ++d, rest /= width) index[d] += rest % width;
-      double weight = 1;
-      Point<D> gradient = Point<D>::Constant(1 / spacing);
-      for (int d = 0; d < D; ++d) {
-        double const u = x[d] / spacing - index[static_cast<std::size_t>(d)];
-        weight *= spline(degree, u);
-        for (int k = 0; k < D; ++k) gradient[k] *= k == d ? slope(degree, u) : spline(degree, u);
-      }
-      if (weight > 0) f(index, weight, gradient);
-    }
-  }
-
-  void to_nodes(Particle const& p) {
-    auto const stress = law.stress(p.strain);
-    Tensor tau;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) tau(i, j) = stress(i, j);
-    for_each_node(p.x, [&](Index const& index, double weight, Point<D> const& gradient) {
-      Node& node = nodes_[index];
-      node.mass += weight * p.mass;
-      node.momentum += weight * p.mass * (p.v + (affine ? Point<D>(p.C * (place(index) - p.x)) : Point<D>::Zero()));
-      node.force -= p.mass / density * tau * gradient;
-    });
-  }
-
-  void move(Index const& index, Node& node, double dt) const {
-    node.old = node.momentum / node.mass;
-    node.v = node.old + dt * (node.force / std::max(node.mass, least_mass) + gravity);
-    node.v = walls(place(index) + dt * node.v, node.v);
-  }
-
-  void from_nodes(Particle& p, double dt) {
-    Point<D> pic = Point<D>::Zero(), old = Point<D>::Zero();
-    Tensor B = Tensor::Zero(), L = Tensor::Zero();
-    for_each_node(p.x, [&](Index const& index, double weight, Point<D> const& gradient) {
-      Node const& node = nodes_.at(index);
-      pic += weight * node.v;
-      old += weight * node.old;
-      B += weight * node.v * (place(index) - p.x).transpose();
-      L += node.v * gradient.transpose();
-    });
-    p.v = alpha * (p.v + pic - old) + (1 - alpha) * pic;
-    p.x += dt * pic;
-    p.C = B * 12 / ((degree + 1) * spacing * spacing);
-    strain(p, dt * L);
-    p.strain = law.project(p.strain, p.state, dt);
-  }
-
-  /// b <- (I + dt L) b (I + dt L)^T for b = exp(2 eps), as b - I so that small strains keep their digits.
-  static void strain(Particle& p, Tensor const& H) {
-    Tensor eps;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) eps(i, j) = p.strain(i, j);
-    Tensor const F = Tensor::Identity() + H;
-    auto const b_less_one = function(eps, [](double e) { return std::expm1(2 * e); });
-    Tensor const next = F * b_less_one * F.transpose() + H + H.transpose() + H * H.transpose();
-    eps = function(next, [](double b) { return 0.5 * std::log1p(b); });
-    for (int i = 0; i < D; ++i)
-      for (int j = i; j < D; ++j) p.strain(i, j) = 0.5 * (eps(i, j) + eps(j, i));
-  }
-  template <class F>
-  static Tensor function(Tensor const& symmetric, F const& f) {
-    Eigen::SelfAdjointEigenSolver<Tensor> const solver(symmetric);
-    return solver.eigenvectors() * solver.eigenvalues().unaryExpr(f).asDiagonal() * solver.eigenvectors().transpose();
-  }
-
-  std::map<Index, Node> nodes_;
-};
 
 /// Sixty steps round some hundred times each, by 1e-16 of the largest value; what leaves a yield surface or a wall at
 /// another instant would differ by 1e-6 and more.
@@ -207,3 +63,112 @@ void agree(Hand const& hand, Simulation<Hand::D> const& simulation) {
   BOOST_TEST(difference(simulation, "velocity", D, 0, of(&P::v)) < tolerance);
   BOOST_TEST(difference(simulation, "elastic_strain", strains, 0, of(&P::strain)) < tolerance);
 }
+
+/// Takes the steps of the simulation by hand, too.
+template <class Hand>
+void step_both(Hand& hand, Simulation<Hand::D>& simulation) {
+  for (int k = 0; k < steps; ++k) {
+    simulation.advance(std::numeric_limits<double>::infinity());
+    hand.step(simulation.last_step().dt);
+  }
+}
+
+/// Walls at y = 0, which holds, and at x = 0, which only pushes.
+template <int D>
+void add_walls(Scene<D>& scene) {
+  wall::HalfSpace::Parameters floor, back;
+  floor.normal = {0, 1, 0};
+  back.normal = {1, 0, 0};
+  scene.walls.push_back(make_wall<D, wall::HalfSpace, wall::Stick, wall::Fixed>("floor", floor, {}, {}));
+  scene.walls.push_back(make_wall<D, wall::HalfSpace, wall::Separating, wall::Fixed>("back", back, {}, {}));
+}
+template <int D>
+Point<D> walled(Point<D> const& x, Point<D> v) {
+  if (x[1] <= 0) return Point<D>::Zero();
+  if (x[0] <= 0) v[0] = std::max(v[0], 0.0);
+  return v;
+}
+
+/// A body in the corner of the two walls, thrown into it.
+template <int D>
+std::vector<Seed<D>> thrown(double spacing, double density, Point<D> const& v) {
+  Point<D> const low = Point<D>::Constant(0.5 * spacing);
+  Point<D> high = low + Point<D>::Constant((D == 2 ? 8 : 3) * spacing);
+  high[1] += 2 * spacing;
+  auto seeds = support::block<D>(low, high, spacing, 2, density, 0.4, 7);
+  for (auto& seed : seeds) seed.v = v;
+  return seeds;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(step_by_hand)
+
+BOOST_AUTO_TEST_CASE(a_granular_body_in_a_corner_steps_as_by_hand_with_the_quadratic_kernel_and_aflip) {
+  using Law = law::CamClayMuI;
+  constexpr double h = 0.01, density = 1550, alpha = 0.95;
+  Law::Parameters parameters;
+  parameters.mu_1 = 0.4;
+  parameters.d = 7e-4;
+  auto scene =
+      support::scene_of<kinematics::PlaneStrainReduced, Law, kernel::Quadratic, transfer::Aflip, integrator::Usl>(
+          h, density, parameters, {alpha});
+  scene.gravity = {3.7, -9.1};
+  add_walls(scene);
+  Simulation<2> simulation(std::move(scene));
+  auto const seeds = thrown<2>(h, density, {-0.3, -0.5});
+  support::fill(simulation, seeds);
+  ByHand<kinematics::PlaneStrainReduced, Law> hand{2,           true,     alpha, h, density, 0, Law(parameters),
+                                                   {3.7, -9.1}, walled<2>};
+  hand.fill(seeds);
+  step_both(hand, simulation);
+  agree(hand, simulation);
+  // The affine velocity, row by row, and the plastic strain, which the law must have produced.
+  BOOST_TEST(difference(simulation, "affine_velocity", 4, 0,
+                        [&](std::size_t k, int c) { return hand.particles[k].C(c / 2, c % 2); }) < tolerance);
+  BOOST_TEST(difference(simulation, "plastic_volumetric_strain", 1, 0,
+                        [&](std::size_t k, int) { return hand.particles[k].state.values[0]; }) < tolerance);
+  BOOST_TEST(largest(support::column(simulation, "plastic_volumetric_strain")) > 1e-5);
+  BOOST_TEST(simulation.momentum().walls[0].norm() > 0);
+  BOOST_TEST(simulation.momentum().walls[1].norm() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_elastic_body_in_space_steps_as_by_hand_with_the_cubic_kernel_and_apic) {
+  using Law = law::Hencky;
+  constexpr double h = 0.1, density = 1000;
+  Law::Parameters const parameters{1e5, 0.3};
+  auto scene = support::scene_of<kinematics::Solid, Law, kernel::Cubic, transfer::Apic, integrator::Usl>(
+      h, density, parameters, {});
+  scene.gravity = {0.5, -9.81, 0.2};
+  add_walls(scene);
+  Simulation<3> simulation(std::move(scene));
+  auto const seeds = thrown<3>(h, density, {-0.6, -0.8, 0.3});
+  support::fill(simulation, seeds);
+  ByHand<kinematics::Solid, Law> hand{3, true, 0, h, density, 0, Law(parameters), {0.5, -9.81, 0.2}, walled<3>};
+  hand.fill(seeds);
+  step_both(hand, simulation);
+  agree(hand, simulation);
+  BOOST_TEST(difference(simulation, "affine_velocity", 9, 0,
+                        [&](std::size_t k, int c) { return hand.particles[k].C(c / 3, c % 3); }) < tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(an_elastic_body_in_the_plane_steps_as_by_hand_with_the_linear_kernel_and_flip) {
+  using Law = law::Hencky;
+  constexpr double h = 0.1, density = 1000;
+  Law::Parameters const parameters{1e5, 0.3};
+  auto scene = support::scene_of<kinematics::PlaneStrain, Law, kernel::Linear, transfer::Flip, integrator::Usl>(
+      h, density, parameters, {1});
+  scene.gravity = {0.5, -9.81};
+  add_walls(scene);
+  Simulation<2> simulation(std::move(scene));
+  auto const seeds = thrown<2>(h, density, {-0.6, -0.8});
+  support::fill(simulation, seeds);
+  double const least_mass = 0.1 * seeds.front().mass;  // what internal forces accelerate with this kernel
+  ByHand<kinematics::PlaneStrain, Law> hand{1,        false, 1, h, density, least_mass, Law(parameters), {0.5, -9.81},
+                                            walled<2>};
+  hand.fill(seeds);
+  step_both(hand, simulation);
+  agree(hand, simulation);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,7 @@ STUDIES = SOURCE / "verification/studies"
 def talus(*arguments, folder=None, **environment):
     """The finished process, its output as text."""
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, env={**os.environ, **environment},
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120)
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
 
 
 def study(name):

@@ -1,0 +1,24 @@
+#pragma once
+/// The cases of a study, and what is wrong with them.
+
+#include <string>
+#include <vector>
+
+#include "core/cli/program.hpp"
+
+namespace talus::cli {
+
+/// One combination of the axes' values.
+struct StudyCase {
+  std::vector<nlohmann::json> values;
+  std::string label;  ///< "slope_deg=22 beta=0.1"
+  Document document;
+};
+
+/// Every combination, the last axis fastest. Throws InputError where an axis leads nowhere in the base case.
+[[nodiscard]] std::vector<StudyCase> cases_of(StudyPlan const& plan);
+
+/// What is wrong with the cases, and expectations that belong to none of them; one line each.
+[[nodiscard]] std::vector<std::string> study_mistakes(StudyPlan const& plan, std::vector<StudyCase> const& cases);
+
+}  // namespace talus::cli

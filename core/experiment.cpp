@@ -1,0 +1,33 @@
+#include "core/experiment.hpp"
+
+namespace talus {
+
+std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls) {
+  constexpr std::string_view axis_names[] = {"x", "y", "z"};
+  std::vector<Quantity> list{{"time", "t", "s", "time"},
+                             {"step", "n", "1", "steps taken"},
+                             {"dt", "dt", "s", "last time step"},
+                             {"front", "x_f", "m", "advance of the farthest particle along x"}};
+  for (int d = 0; d < D; ++d) {
+    std::string const axis(axis_names[d]);
+    list.push_back({"centre_of_mass_" + axis, "x_c", "m", "centre of mass along " + axis});
+  }
+  for (int d = 0; d < D; ++d) {
+    std::string const axis(axis_names[d]);
+    list.push_back({"mean_velocity_" + axis, "v_c", "m/s", "momentum over mass along " + axis});
+  }
+  list.push_back({"speed_rms", "v_rms", "m/s", "root mean square of the speed, by mass"});
+  list.push_back({"speed_max", "v_max", "m/s", "largest speed"});
+  list.push_back({"kinetic_energy", "E_k", "J", "kinetic energy of the particles' velocities"});
+  list.push_back({"elastic_energy", "E_e", "J", "stored elastic energy"});
+  list.push_back({"potential_energy", "E_g", "J", "potential energy of gravity, zero at the origin"});
+  list.push_back(
+      {"volume_ratio", "J", "1", "volume over initial volume of all particles; solid fraction is phi_0 / J"});
+  for (std::string const& wall : walls)
+    for (int d = 0; d < D; ++d)
+      list.push_back(
+          {"impulse_" + wall + "_" + std::string(axis_names[d]), "I", "kg m/s", "impulse of the wall since the start"});
+  return list;
+}
+
+}  // namespace talus
