@@ -4,8 +4,7 @@
 ///   m_i    = sum_p w_ip m_p                                            (1)
 ///   (mv)_i = sum_p w_ip m_p (v_p + C_p (x_i - x_p))                    (2)   C_p only where the transfer is affine
 ///   dt f_i = - dt sum_p V_p^0 tau_p grad w_ip                          (3)
-///   (mu m)_i = sum_p w_ip m_p mu_p                                     (4)   friction, where walls take it from the
-///   material
+///   (mu m)_i = sum_p w_ip m_p mu_p                                     (4)   only where walls take friction from it
 ///
 /// SIMD lanes lie along the components of a node; the sums are factorised dimension by dimension.
 /// Source: Sulsky, Chen & Schreyer (1994), doi:10.1016/0045-7825(94)90112-0 (not re-read); affine term: Jiang et al.

@@ -9,15 +9,16 @@ namespace talus::law {
 /// The return map of modified Cam-Clay with the flow rule of published computations, which differentiates the yield
 /// function along the hardening as well. For exponential hardening.
 ///
-///   D(p) = dy/dp + (dy/dp_c)(dp_c/dp) = M^2 [2 p - (1 - beta) p_c + ((1 - beta) p - 2 beta p_c) s],  s = xi p_c / K
-///   (1) X = D/(2 M^2),   q(p) = q_tr X / (X + kappa (p_tr - p)),   kappa = G/(K M^2) (2) r(p) = sqrt(q(p)^2 + M^2 x^2)
-///   - M a = 0,   x, a as in the associated map                                             (3)
+///   D(p) = dy/dp + (dy/dp_c)(dp_c/dp)
+///        = M^2 [2 p - (1 - beta) p_c + ((1 - beta) p - 2 beta p_c) s],   s = xi p_c / K           (1)
+///   X = D/(2 M^2),   q(p) = q_tr X / (X + kappa (p_tr - p)),   kappa = G/(K M^2)                  (2)
+///   r(p) = sqrt(q(p)^2 + M^2 x^2) - M a = 0,   x, a as in the associated map                      (3)
 ///
 /// Not associated: volume stays where X = 0, that is at p_c = (2 + s) p and q/p = M sqrt(1 + s) for beta = 0, so that
 /// friction grows with pressure (by 5 % at 1 kPa, E = 1 MPa, xi = 50). For comparison with runs that were made with it.
-/// The term in beta has the sign of those runs; the derivative of y has the other one. Source: what the reference
-/// solver of Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, computes in its version of 2023, inferred from
-/// stresses that it returned (tests/models/laws_hardening_flow.cpp); (2), (3) derived here.
+/// The term in beta has the sign of those runs; the derivative of y has the other one.
+/// Source: what the reference solver of Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, computes in its version
+/// of 2023, inferred from stresses that it returned (tests/models/laws_hardening_flow.cpp); (2), (3) derived here.
 template <class Hardening>
 struct HardeningFlowMap {
   static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
