@@ -127,10 +127,11 @@ void Simulation<D>::stop(double dt) const {
     if (static_cast<long>(particles_.get(slot, layout.find(field::identity))) != motion_.failed) return;
     text += "\n  material = " + scene_.materials[static_cast<std::size_t>(material)]->name;
     for (Column const& column : layout.columns())
-      for (int k = 0; k < column.components; ++k)
-        text += "\n  " + std::string(column.info.name) + "[" + std::to_string(k) +
-                "] = " + in_short(particles_.get(slot, column.offset + k)) +
-                (column.info.unit == "1" ? "" : " " + std::string(column.info.unit));
+      for (int k = 0; k < column.components; ++k) {
+        text.append("\n  ").append(column.info.name).append("[" + std::to_string(k) + "] = ");
+        text.append(in_short(particles_.get(slot, column.offset + k)));
+        if (column.info.unit != "1") text.append(1, ' ').append(column.info.unit);
+      }
   });
   text +=
       "\nLikely causes: a time step too long for the stiffness (lower /time/safety), a velocity far above the wave "
