@@ -10,6 +10,7 @@
 ///
 /// A step begins and ends with particles: strain and state are stored, the stress never is.
 
+#include <string>
 #include <vector>
 
 #include "core/grid_pass.hpp"
@@ -86,6 +87,10 @@ class Simulation {
   void particles_to_grid(double dt);
   void grid_to_particles(double dt);
   void map_back(double dt);
+  /// Id of the fastest particle.
+  [[nodiscard]] long fastest() const;
+  /// Material and fields of a particle, a line each.
+  [[nodiscard]] std::string state_of(long id) const;
   [[noreturn]] void stop(double dt) const;
 
   struct Scratch {

@@ -52,8 +52,9 @@ void Simulation<D>::advance(double end) {
   if (!(dt > 0) || time_ + dt == time_ || too_short)
     throw RunError("the time step has become too small: dt = " + in_short(dt) + " s at t = " + in_short(time_) +
                    " s, limited by: " + std::string(last_.limiter) + "; the largest speed is " +
-                   in_short(motion_.speed) +
-                   " m/s. Likely causes: a velocity far above the wave speed, a state that blows up");
+                   in_short(motion_.speed) + " m/s, of particle " + std::to_string(fastest()) + "." +
+                   state_of(fastest()) +
+                   "\nLikely causes: a velocity far above the wave speed, a state that blows up.");
   if (drift_ > drift_limit) sort();
   particles_to_grid(dt);
   Impulses<D> const impulses = pass_.move(grid_, time_, dt);
@@ -116,15 +117,26 @@ void Simulation<D>::grid_to_particles(double dt) {
 }
 
 template <int D>
-void Simulation<D>::stop(double dt) const {
+long Simulation<D>::fastest() const {
   Layout const& layout = particles_.layout();
-  std::string text = motion_.cause == Motion::Cause::inverted
-                         ? "an element inverted: det(I + dt L) <= 0 at particle "
-                         : "the state of a particle is no longer finite: particle ";
-  text += std::to_string(motion_.failed) + " in the step from t = " + in_short(time_) + " s, dt = " + in_short(dt) +
-          " s (limited by " + std::string(last_.limiter) + ").";
+  double most = -1;
+  long id = -1;
+  particles_.for_each([&](std::ptrdiff_t slot, int) {
+    for (int d = 0; d < D; ++d)
+      if (double const v = std::abs(particles_.get(slot, layout.find(field::velocity) + d)); v > most) {
+        most = v;
+        id = static_cast<long>(particles_.get(slot, layout.find(field::identity)));
+      }
+  });
+  return id;
+}
+
+template <int D>
+std::string Simulation<D>::state_of(long id) const {
+  Layout const& layout = particles_.layout();
+  std::string text;
   particles_.for_each([&](std::ptrdiff_t slot, int material) {
-    if (static_cast<long>(particles_.get(slot, layout.find(field::identity))) != motion_.failed) return;
+    if (static_cast<long>(particles_.get(slot, layout.find(field::identity))) != id) return;
     text += "\n  material = " + scene_.materials[static_cast<std::size_t>(material)]->name;
     for (Column const& column : layout.columns())
       for (int k = 0; k < column.components; ++k) {
@@ -133,6 +145,17 @@ void Simulation<D>::stop(double dt) const {
         if (column.info.unit != "1") text.append(1, ' ').append(column.info.unit);
       }
   });
+  return text;
+}
+
+template <int D>
+void Simulation<D>::stop(double dt) const {
+  std::string text = motion_.cause == Motion::Cause::inverted
+                         ? "an element inverted: det(I + dt L) <= 0 at particle "
+                         : "the state of a particle is no longer finite: particle ";
+  text += std::to_string(motion_.failed) + " in the step from t = " + in_short(time_) + " s, dt = " + in_short(dt) +
+          " s (limited by " + std::string(last_.limiter) + ").";
+  text += state_of(motion_.failed);
   text +=
       "\nLikely causes: a time step too long for the stiffness (lower /time/safety), a velocity far above the wave "
       "speed, "
