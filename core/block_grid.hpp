@@ -1,16 +1,19 @@
 #pragma once
 /// The background grid as blocks of 4^D nodes, of which only those near particles exist.
 ///
-/// A particle belongs to the block of its stencil's first node. Each particle block scatters into its own arena, which
-/// also covers the reach of the kernel and one cell of drift; the arenas are then summed, node block by node block, in
-/// a fixed order. So no cost grows with the bounding box, and results do not depend on threads.
+/// A particle belongs to the block of its stencil's first node, half a cell of drift on either side included. Each
+/// particle block scatters into an arena, a copy of the nodes that it reaches, which is then added to the grid. Blocks
+/// are taken colour by colour: those of one colour share no node, so that each node's sum is taken in the order of the
+/// colours, whatever the number of threads. No cost grows with the bounding box.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/arena.hpp"
 #include "core/batch.hpp"
 #include "core/errors.hpp"
 
@@ -39,9 +42,6 @@ constexpr BlockIndex<D> place_of(std::uint64_t key) {
   return place;
 }
 
-template <int D>
-inline constexpr int neighbour_count = D == 2 ? 9 : 27;
-
 /// Step o_d in {-1, 0, 1} to neighbour number n; the last axis runs fastest.
 template <int D>
 constexpr BlockIndex<D> neighbour_step(int n) {
@@ -64,6 +64,7 @@ class BlockGrid {
     particle_keys_ = std::move(keys);
     find_node_blocks();
     link();
+    sort_by_colour();
   }
 
   [[nodiscard]] std::size_t particle_blocks() const { return particle_keys_.size(); }
@@ -73,8 +74,13 @@ class BlockGrid {
   [[nodiscard]] BlockIndex<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
   /// Node blocks around particle block b, by neighbour number.
   [[nodiscard]] Neighbours const& nodes_around(std::size_t b) const { return nodes_around_[b]; }
-  /// Particle block whose neighbour number n is node block b; -1 where there is none.
-  [[nodiscard]] Neighbours const& particles_around(std::size_t b) const { return particles_around_[b]; }
+  /// Particle blocks of colour c, the first axis slowest. Some colours may have none.
+  [[nodiscard]] std::span<std::int32_t const> coloured(int c) const {
+    auto const from = first_of_colour_[static_cast<std::size_t>(c)];
+    return std::span(order_).subspan(from, first_of_colour_[static_cast<std::size_t>(c) + 1] - from);
+  }
+  /// Two an axis, and a third for the last block where an axis repeats after an odd number of them.
+  static constexpr int colours = D == 2 ? 9 : 27;
   [[nodiscard]] BlockIndex<D> const& periods() const { return periods_; }
 
   /// A place brought back into the period.
@@ -113,16 +119,33 @@ class BlockGrid {
     for (std::size_t b = 0; b < particle_keys_.size(); ++b)
       for (int n = 0; n < neighbour_count<D>; ++n)
         nodes_around_[b][static_cast<std::size_t>(n)] = find(node_keys_, key_of<D>(moved(particle_keys_[b], n, 1)));
-    particles_around_.resize(node_keys_.size());
-    for (std::size_t b = 0; b < node_keys_.size(); ++b)
-      for (int n = 0; n < neighbour_count<D>; ++n)
-        particles_around_[b][static_cast<std::size_t>(n)] =
-            find(particle_keys_, key_of<D>(moved(node_keys_[b], n, -1)));
+  }
+
+  [[nodiscard]] int colour(std::uint64_t key) const {
+    BlockIndex<D> const place = place_of<D>(key);
+    int colour = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      bool const odd_period = periods_[d] % 2 != 0;
+      colour = 3 * colour + (odd_period && place[d] == periods_[d] - 1 ? 2 : place[d] & 1);
+    }
+    return colour;
+  }
+
+  void sort_by_colour() {
+    first_of_colour_.fill(0);
+    for (std::uint64_t key : particle_keys_) ++first_of_colour_[static_cast<std::size_t>(colour(key)) + 1];
+    for (std::size_t c = 0; c < colours; ++c) first_of_colour_[c + 1] += first_of_colour_[c];
+    order_.resize(particle_keys_.size());
+    auto next = first_of_colour_;
+    for (std::size_t b = 0; b < particle_keys_.size(); ++b)
+      order_[next[static_cast<std::size_t>(colour(particle_keys_[b]))]++] = static_cast<std::int32_t>(b);
   }
 
   BlockIndex<D> periods_;
   std::vector<std::uint64_t> particle_keys_, node_keys_;
-  std::vector<Neighbours> nodes_around_, particles_around_;
+  std::vector<Neighbours> nodes_around_;
+  std::vector<std::int32_t> order_;
+  std::array<std::size_t, colours + 1> first_of_colour_{};
 };
 
 }  // namespace talus

@@ -36,8 +36,8 @@ Explanation ExperimentOf<D>::explain() const {
   told.stages.push_back({"grid to particles", "velocity, position, dt L"});
   told.stages.push_back({"law", "trial strain, return map, state"});
   if (!affine) told.left_out.push_back({"affine velocity", "not stored: the transfer's mode is constant"});
-  if (stages.vectors == 1)
-    told.left_out.push_back({"old node velocity", "no increment, remap or friction asks for a second node vector"});
+  if (!stages.incremental && !stages.remaps)
+    told.left_out.push_back({"second node velocity", "no increment and no remap asks for one"});
   if (!stages.friction) told.left_out.push_back({"friction field", "no wall takes its friction from the material"});
   told.left_out.push_back({"stress, deformation gradient", "never stored: the elastic strain gives both"});
   bool const periodic = std::any_of(scene.periods.begin(), scene.periods.end(), [](auto n) { return n > 0; });

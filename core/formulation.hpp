@@ -40,17 +40,19 @@ struct Setup {
   typename F::Law::Parameters law = {};
   typename F::Transfer::Parameters transfer = {};
   StepLimits limits = {};
+  BlockIndex<D> periods = {};  ///< blocks after which an axis repeats, 0 where it does not
 };
 
-/// A simulation of one material that fills a body; it has begun.
+/// A simulation of one material that fills bodies; it has begun.
 template <Formulation F>
-[[nodiscard]] auto compose(Setup<F> const& setup, body::Seeds<Setup<F>::D> seeds,
+[[nodiscard]] auto compose(Setup<F> const& setup, std::vector<Filling<Setup<F>::D>> const& bodies,
                            std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls = {}) {
   constexpr int D = Setup<F>::D;
   Scene<D> scene;
   scene.spacing = setup.spacing;
   scene.gravity = setup.gravity;
   scene.limits = setup.limits;
+  scene.periods = setup.periods;
   scene.strain_size = Symmetric<double, typename F::Kinematics::Shape>::size;
   scene.walls = std::move(walls);
   scene.materials.push_back(std::make_unique<MaterialOf<typename F::Kinematics, typename F::Law>>(
@@ -60,8 +62,16 @@ template <Formulation F>
   scene.stages = std::make_unique<StagesOf<D, typename F::Kernel, typename F::Transfer, typename F::Integrator>>(
       setup.transfer, rubs);
   auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
-  fill(*simulation, {Filling<D>{std::move(seeds), {}, {}, 0, setup.density}});
+  fill(*simulation, bodies);
   return simulation;
+}
+
+/// A simulation of one body, at rest.
+template <Formulation F>
+[[nodiscard]] auto compose(Setup<F> const& setup, body::Seeds<Setup<F>::D> seeds,
+                           std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls = {}) {
+  return compose(setup, std::vector{Filling<Setup<F>::D>{std::move(seeds), {}, {}, 0, setup.density}},
+                 std::move(walls));
 }
 
 }  // namespace talus

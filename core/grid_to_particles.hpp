@@ -15,156 +15,240 @@
 
 namespace talus {
 
-/// What a pass gathers. A node has a second vector where `second` says so: the velocity before the step (`old`) or the
-/// one that was mapped back from the moved particles (`remapped`: MUSL takes the gradient from it).
+/// What a pass gathers. A node tells a second velocity where `second` says so: the one before the step (`old`) or the
+/// one that was mapped back from the moved particles (`remapped`: MUSL takes the gradient from it). In the plane the two
+/// share a vector, in space each has its own; `told` is the number of vectors of a node.
 struct Gather {
   enum class Second { none, old, remapped };
   bool affine = false, update = true, gradient = true, advect = true;
   Second second = Second::none;
+  int told = 1;
 };
+
+/// First component of a node's second velocity in its vector.
+template <int D>
+inline constexpr int second_component = D == 2 ? 2 : 0;
 
 namespace detail {
 
-/// Sums of one particle over its nodes.
-template <int D, Gather G>
-struct Sums {
-  NodeVector velocity[lanes], old[lanes], arm[D][lanes], gradient[D][lanes];
+/// What a particle gathers from its nodes, first along all dimensions but one:
+///
+///   S^x_i = sum_jk w_j w_k v_ijk,   S^y_j = sum_ik w_i w_k v_ijk,   S^z_k = sum_ij w_i w_j v_ijk        (6)
+///   sum w v = sum_i w_i S^x_i,   sum w v (x - x_p)_d = h sum_k l_k S^d_k,   sum v dw/dx_d = sum_k g_k S^d_k / h  (7)
+///
+/// w: weights, l: levers, g: slopes. It is the way of the particles to the grid, (5) there, backwards.
+/// sum[d][k][lane] is S^d_k of one particle.
+template <int D, class Kernel>
+struct Lines {
+  NodeVector sum[D][Kernel::width][lanes];
 
   /// Zero from lane `filled` on: what lanes without a particle gather.
   void clear_from(int filled) {
-    for (int lane = filled; lane < lanes; ++lane) {
-      velocity[lane] = old[lane] = NodeVector(0.0);
-      for (int d = 0; d < D; ++d) arm[d][lane] = gradient[d][lane] = NodeVector(0.0);
-    }
+    for (auto& dimension : sum)
+      for (auto& line : dimension) std::fill(line + filled, line + lanes, NodeVector(0.0));
   }
 };
 
-/// A line of nodes, summed with the weights, slopes and arms of the last dimension.
-template <Gather G>
-struct Line {
-  NodeVector velocity{0.0}, old{0.0}, gradient{0.0}, arm{0.0}, source{0.0};
-};
-
-template <int D, class Kernel, Gather G>
-[[gnu::always_inline]] inline void gather_one(Stencil<D, Kernel> const& stencil, int lane, NodeVector const* arena,
-                                              Sums<D, G>& out) {
+/// The sums (6) of one particle over its stencil, of the first of each node's `vectors`. all: along every dimension,
+/// else the first.
+template <int D, class Kernel, int vectors, bool all>
+[[gnu::always_inline]] inline void sum_lines(Stencil<D, Kernel> const& stencil, int lane, NodeVector const* arena,
+                                             Lines<D, Kernel>& out) {
   constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge;
-  constexpr bool two = G.second != Gather::Second::none, remapped = G.second == Gather::Second::remapped;
-  constexpr bool old = G.update && G.second == Gather::Second::old;
-  constexpr int vectors = two ? 2 : 1;
-  auto const w = [&](int d, int k) { return NodeVector(stencil.weight[d][k][lane]); };
-  auto const g = [&](int d, int k) { return NodeVector(stencil.slope[d][k][lane]); };
-  auto const r = [&](int d, int k) { return NodeVector(stencil.arm[d][k][lane]); };
-  // A line along the last dimension. `source` is what gradients across the line are taken of.
-  auto const line = [&](NodeVector const* node) {
-    Line<G> s;
-    for (int k = 0; k < width; ++k, node += vectors) {
-      NodeVector const weighted = w(D - 1, k) * node[0];
-      s.velocity += weighted;
-      if constexpr (old) s.old += w(D - 1, k) * node[1];
-      if constexpr (G.affine) s.arm += r(D - 1, k) * weighted;
-      if constexpr (G.gradient) s.gradient += g(D - 1, k) * node[remapped ? 1 : 0];
-      if constexpr (G.gradient && remapped) s.source += w(D - 1, k) * node[1];
-    }
-    if constexpr (!remapped) s.source = s.velocity;
-    return s;
-  };
-  NodeVector velocity(0.0), before(0.0), arm[D], gradient[D];
-  for (int d = 0; d < D; ++d) arm[d] = gradient[d] = NodeVector(0.0);
+  NodeVector const* const first = stencil.first(arena, lane, vectors);
+  NodeVector along_y[width], along_z[width];
+#pragma GCC unroll 4
   for (int i = 0; i < width; ++i) {
-    Line<G> x;
-    NodeVector arm_y(0.0), gradient_y(0.0);
-    if constexpr (D == 2) {
-      x = line(arena + (stencil.node[lane] + i * edge) * vectors);
-    } else {
-      for (int j = 0; j < width; ++j) {
-        Line<G> const y = line(arena + (stencil.node[lane] + (i * edge + j) * edge) * vectors);
-        x.velocity += w(1, j) * y.velocity;
-        x.source += w(1, j) * y.source;
-        if constexpr (old) x.old += w(1, j) * y.old;
-        if constexpr (G.affine) x.arm += w(1, j) * y.arm;
-        if constexpr (G.affine) arm_y += w(1, j) * r(1, j) * y.velocity;
-        if constexpr (G.gradient) x.gradient += w(1, j) * y.gradient;
-        if constexpr (G.gradient) gradient_y += g(1, j) * y.source;
+    NodeVector const w_i(stencil.weight[0][i][lane]);
+    NodeVector along_x;
+#pragma GCC unroll 4
+    for (int j = 0; j < width; ++j) {
+      NodeVector const w_j(stencil.weight[1][j][lane]);
+      NodeVector line;
+      if constexpr (D == 2) {
+        line = first[(i * edge + j) * vectors];
+      } else {
+        NodeVector const w_ij(stencil.pair[i][j][lane]);
+#pragma GCC unroll 4
+        for (int k = 0; k < width; ++k) {
+          NodeVector const& v = first[((i * edge + j) * edge + k) * vectors];
+          NodeVector const w_k(stencil.weight[2][k][lane]);
+          line = k == 0 ? w_k * v : line + w_k * v;
+          if (all) along_z[k] = i == 0 && j == 0 ? w_ij * v : along_z[k] + w_ij * v;
+        }
       }
+      along_x = j == 0 ? w_j * line : along_x + w_j * line;
+      if (all) along_y[j] = i == 0 ? w_i * line : along_y[j] + w_i * line;
     }
-    velocity += w(0, i) * x.velocity;
-    if constexpr (old) before += w(0, i) * x.old;
-    if constexpr (G.affine) {
-      arm[0] += w(0, i) * r(0, i) * x.velocity;
-      if constexpr (D == 3) arm[1] += w(0, i) * arm_y;
-      arm[D - 1] += w(0, i) * x.arm;
-    }
-    if constexpr (G.gradient) {
-      gradient[0] += g(0, i) * x.source;
-      if constexpr (D == 3) gradient[1] += w(0, i) * gradient_y;
-      gradient[D - 1] += w(0, i) * x.gradient;
-    }
+    out.sum[0][i][lane] = along_x;
   }
-  out.velocity[lane] = velocity;
-  out.old[lane] = before;
-  for (int d = 0; d < D; ++d) {
-    out.arm[d][lane] = arm[d];
-    out.gradient[d][lane] = gradient[d];
-  }
+  if constexpr (all)
+#pragma GCC unroll 4
+    for (int k = 0; k < width; ++k) {
+      out.sum[1][k][lane] = along_y[k];
+      if constexpr (D == 3) out.sum[2][k][lane] = along_z[k];
+    }
 }
 
-/// Writes what was gathered to a chunk; returns the largest speed that particles were moved with.
+/// One chunk on its way from the grid: sums (6), then (7) for all its particles at once.
 template <int D, class Kernel, Gather G>
-[[gnu::always_inline]] inline Lanes update_chunk(Batch<D> const& batch, Lanes* chunk, Sums<D, G> const& sums, double dt,
-                                                 double alpha, Matrix<Lanes, D>* dt_gradient) {
-  auto const pic = to_lanes(sums.velocity);
-  Lanes speed(0.0);
-  if constexpr (G.update) {
-    auto const old = to_lanes(sums.old);
-    Lanes* v = chunk + batch.at.velocity;
-    for (int d = 0; d < D; ++d)
-      v[d] = G.second == Gather::Second::none ? pic[d] : Lanes(alpha) * (v[d] - old[d]) + pic[d];
-    if constexpr (G.affine) {
-      Lanes const inverse(1.0 / (Kernel::inertia * batch.spacing * batch.spacing));
-      for (int d = 0; d < D; ++d) {
-        auto const column = to_lanes(sums.arm[d]);
-        for (int i = 0; i < D; ++i) chunk[batch.at.affine + i * D + d] = inverse * column[i];
-      }
+struct Chunk {
+  static constexpr bool remapped = G.second == Gather::Second::remapped, old = G.second == Gather::Second::old;
+  static constexpr int width = Kernel::width;
+  static constexpr bool second_apart = D == 3 && (remapped || old);  ///< the second velocity has sums of its own
+  static_assert(!second_apart || G.told == 2);
+  using Lines = detail::Lines<D, Kernel>;
+
+  /// Values of a kernel at the nodes k along dimension d, for the particles of register r.
+  using Values = Register[registers][D][width];
+
+  Stencil<D, Kernel> stencil;
+  Register weight[registers][width];  ///< along the first dimension
+  Values slope, lever;
+  Lines lines, second;
+
+  [[gnu::always_inline]] Chunk(Batch<D> const& batch, Lanes const* chunk, int filled, NodeVector const* arena) {
+    constexpr bool slopes_of_first = G.gradient && !(remapped && second_apart);
+#pragma GCC unroll 2
+    for (int r = 0; r < registers; ++r)
+      stencil.place(
+          batch, chunk, r, [&](int d, Axis<Kernel> const& axis) __attribute__((always_inline)) {
+#pragma GCC unroll 4
+            for (int k = 0; k < width; ++k) {
+              if (d == 0) weight[r][k] = axis.weight[k];
+              if constexpr (G.gradient) slope[r][d][k] = axis.slope[k];
+              if constexpr (G.affine) lever[r][d][k] = axis.lever[k];
+            }
+          });
+    for (int lane = 0; lane < filled; ++lane) {
+      sum_lines<D, Kernel, G.told, G.affine || slopes_of_first>(stencil, lane, arena, lines);
+      if constexpr (second_apart) sum_lines<D, Kernel, G.told, remapped>(stencil, lane, arena + 1, second);
+    }
+    if (filled < lanes) [[unlikely]] {
+      lines.clear_from(filled);
+      if constexpr (second_apart) second.clear_from(filled);
     }
   }
-  if constexpr (G.gradient)
-    for (int d = 0; d < D; ++d) {
-      auto const column = to_lanes(sums.gradient[d]);
-      for (int i = 0; i < D; ++i) (*dt_gradient)(i, d) = Lanes(dt) * column[i];
-    }
-  if constexpr (G.advect)
-    for (int d = 0; d < D; ++d) {
-      chunk[batch.at.position + d] += Lanes(dt) * pic[d];
-      speed = max(speed, abs(pic[d]));
-    }
-  return speed;
+
+  /// S^d_k of the particles of register r, k by k.
+  [[nodiscard, gnu::always_inline]] std::array<Components, width> along(Lines const& from, int d, int r) const {
+    std::array<Components, width> sums;
+#pragma GCC unroll 4
+    for (int k = 0; k < width; ++k) sums[k] = to_lanes(from.sum[d][k] + r * register_lanes);
+    return sums;
+  }
+};
+
+/// sum_k f_k S_k of (7), from this component of the sums on.
+template <int D, std::size_t width>
+[[gnu::always_inline]] inline std::array<Register, D> contract(Register const (&factors)[width],
+                                                               std::array<Components, width> const& sums,
+                                                               int component = 0) {
+  std::array<Register, D> total;
+#pragma GCC unroll 4
+  for (int c = 0; c < D; ++c) {
+    total[c] = factors[0] * sums[0][component + c];
+#pragma GCC unroll 4
+    for (std::size_t k = 1; k < width; ++k) total[c] += factors[k] * sums[k][component + c];
+  }
+  return total;
 }
+
+/// The particles of register r of a chunk take over what they have gathered.
+template <int D, class Kernel, Gather G>
+struct Update {
+  using From = Chunk<D, Kernel, G>;
+  Batch<D> const& batch;
+  Lanes* chunk;
+  From const& from;
+  double dt, alpha;
+  Matrix<Lanes, D>* dt_gradient;
+
+  /// Returns the largest speed that the particles move with.
+  [[gnu::always_inline]] Register operator()(int r) const {
+    Register speed(0.0);
+#pragma GCC unroll 4
+    for (int d = 0; d < D; ++d) {
+      asm("" ::: "memory");  // one dimension after the other, or g++ runs out of registers for all of them
+      auto const sums = from.along(from.lines, d, r);
+      if (d == 0) speed = velocity(sums, r);
+      if constexpr (G.update && G.affine) affine(sums, d, r);
+      if constexpr (G.gradient && !(From::remapped && From::second_apart))
+        gradient(sums, From::remapped ? second_component<D> : 0, d, r);
+      if constexpr (G.gradient && From::remapped && From::second_apart)
+        gradient(from.along(from.second, d, r), 0, d, r);
+    }
+    return speed;
+  }
+
+ private:
+  using Sums = std::array<Components, Kernel::width>;
+
+  [[gnu::always_inline]] Register velocity(Sums const& sums, int r) const {
+    auto const pic = contract<D>(from.weight[r], sums);
+    Lanes *x = chunk + batch.at.position, *v = chunk + batch.at.velocity;
+    if constexpr (G.update && From::old) {
+      auto const old = From::second_apart ? contract<D>(from.weight[r], from.along(from.second, 0, r))
+                                          : contract<D>(from.weight[r], sums, second_component<D>);
+      for (int c = 0; c < D; ++c) part(v[c], r) = Register(alpha) * (part(v[c], r) - old[c]) + pic[c];
+    } else if constexpr (G.update) {
+      for (int c = 0; c < D; ++c) part(v[c], r) = pic[c];
+    }
+    Register speed(0.0);
+    if constexpr (G.advect)
+      for (int c = 0; c < D; ++c) {
+        part(x[c], r) += Register(dt) * pic[c];
+        speed = max(speed, abs(pic[c]));
+      }
+    return speed;
+  }
+
+  [[gnu::always_inline]] void affine(Sums const& sums, int d, int r) const {
+    Register const scale(1.0 / (Kernel::inertia * batch.spacing));
+    auto const column = contract<D>(from.lever[r][d], sums);
+    for (int c = 0; c < D; ++c) part(chunk[batch.at.affine + c * D + d], r) = scale * column[c];
+  }
+
+  [[gnu::always_inline]] void gradient(Sums const& sums, int component, int d, int r) const {
+    Register const scale(dt / batch.spacing);
+    auto const column = contract<D>(from.slope[r][d], sums, component);
+    for (int c = 0; c < D; ++c) part((*dt_gradient)(c, d), r) = scale * column[c];
+  }
+};
 
 }  // namespace detail
 
-/// Gathers a batch from its block's arena. dt_gradient: dt L_p, one a chunk (where G.gradient).
+/// The largest speed, and the largest square of the norm of dt L, lane by lane.
+struct Largest {
+  Register speed{0.0}, gradient{0.0};
+};
+
+/// Gathers chunk c from its block's arena; dt_gradient: dt L_p (where G.gradient).
+template <int D, class Kernel, Gather G>
+[[gnu::always_inline]] inline void gather_chunk(Batch<D> const& batch, int c, NodeVector const* arena, double dt,
+                                                double alpha, Matrix<Lanes, D>* dt_gradient, Largest& largest) {
+  Lanes* chunk = batch.chunk(c);
+  batch.prefetch(c);
+  detail::Chunk<D, Kernel, G> const gathered(batch, chunk, batch.filled(c), arena);
+  detail::Update<D, Kernel, G> const update{batch, chunk, gathered, dt, alpha, dt_gradient};
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) largest.speed = max(largest.speed, update(r));
+  if constexpr (G.gradient) {
+    Lanes square(0.0);
+    for (Lanes const& entry : dt_gradient->entries) square += entry * entry;
+    largest.gradient = max(largest.gradient, max(square.low, square.high));
+  }
+}
+
+/// Gathers a batch. dt_gradient has one entry a chunk.
 template <int D, class Kernel, Gather G>
 [[gnu::flatten]] void grid_to_particles(Batch<D> const& batch, NodeVector const* arena, double dt, double alpha,
                                         Matrix<Lanes, D>* dt_gradient, Motion& motion) {
-  Lanes speed(0.0), gradient(0.0);
-  detail::Sums<D, G> sums;
-  for (int c = 0; c < batch.count; ++c) {
-    Lanes* chunk = batch.chunk(c);
-    __builtin_prefetch(chunk + batch.stride);
-    Stencil<D, Kernel> const stencil(batch, chunk + batch.at.position);
-    int const filled = batch.filled(c);
-    for (int lane = 0; lane < filled; ++lane) detail::gather_one<D, Kernel, G>(stencil, lane, arena, sums);
-    sums.clear_from(filled);
-    speed = max(speed, detail::update_chunk<D, Kernel, G>(batch, chunk, sums, dt, alpha, dt_gradient + c));
-    if constexpr (G.gradient) {
-      Lanes square(0.0);
-      for (Lanes const& entry : dt_gradient[c].entries) square += entry * entry;
-      gradient = max(gradient, square);
-    }
-  }
-  motion.speed = std::max(motion.speed, horizontal_max(speed));
-  motion.gradient = std::max(motion.gradient, std::sqrt(horizontal_max(gradient)) / dt);
+  Largest largest;
+  for (int c = 0; c < batch.count; ++c)
+    gather_chunk<D, Kernel, G>(batch, c, arena, dt, alpha, dt_gradient + c, largest);
+  motion.speed = std::max(motion.speed, horizontal_max(largest.speed));
+  motion.gradient = std::max(motion.gradient, std::sqrt(horizontal_max(largest.gradient)) / dt);
 }
 
 }  // namespace talus

@@ -48,8 +48,10 @@ class Material {
   virtual void start(std::vector<std::pair<int, double>>& values) const = 0;
   /// V_p^0 tau_p of every chunk, and mu_p where `friction`.
   virtual void load(Batch<D> const& batch, bool friction, Load<D>* loads) const = 0;
-  /// Trial strain from dt L, return map, new state. dt_gradient has one entry a chunk.
-  virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion) const = 0;
+  /// Trial strain from dt L, return map, new state; then what `load` gives, unless `loads` is null. dt_gradient and
+  /// loads have one entry a chunk.
+  virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
+                      Load<D>* loads, bool friction) const = 0;
   /// Stored energy of the batch [J].
   [[nodiscard]] virtual double elastic_energy(Batch<D> const& batch) const = 0;
   /// d_s lambda + 2 G [Pa]: the modulus that limits the time step.
@@ -94,38 +96,31 @@ class MaterialOf final : public Material<Kinematics::dimension> {
   }
 
   [[gnu::flatten]] void load(Batch<D> const& batch, bool friction, Load<D>* loads) const override {
-    Lanes const volume_of_mass(1.0 / this->density);
     for (int c = 0; c < batch.count; ++c) {
       Lanes const* chunk = batch.chunk(c);
-      Strain const eps = strain(batch, chunk);
-      Strain const tau = law_.stress(eps);
-      Lanes const volume = chunk[batch.at.mass] * volume_of_mass;
-      for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j) loads[c].force(i, j) = volume * tau(i, j);
-      if constexpr (HasFriction<Law>)
-        if (friction) loads[c].friction = law_.friction(eps, state(chunk));
+      loads[c] = load_of(batch, chunk, strain(batch, chunk), state(chunk), friction);
     }
   }
 
-  [[gnu::flatten]] void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt,
-                               Motion& motion) const override {
-    for (int c = 0; c < batch.count; ++c) {
-      Lanes* chunk = batch.chunk(c);
-      Strain const trial = trial_strain(strain(batch, chunk), dt_gradient[c]);
-      State state = this->state(chunk);
-      Strain const eps = law_.project(trial, state, Lanes(dt));
-      Lanes sum(0.0);
-      for (int k = 0; k < Strain::size; ++k) {
-        chunk[batch.at.strain + k] = eps[k];
-        sum += eps[k];
+  [[gnu::flatten]] void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
+                               Load<D>* loads, bool friction) const override {
+    for (int c = 0; c < batch.count; c += chunks_at_once) {
+      WideStrain trial;
+      WideState records;
+      for (int k = 0; k < chunks_at_once; ++k) {
+        int const own = std::min(c + k, batch.count - 1);  // in place of a chunk that is not there, the last one again
+        put(trial.entries, k, trial_strain(strain(batch, batch.chunk(own)), dt_gradient[own]).entries);
+        put(records.values, k, state(batch.chunk(own)).values);
       }
-      for (std::size_t k = 0; k < state_at_.size(); ++k) {
-        chunk[state_at_[k]] = state.values[k];
-        sum += state.values[k];
+      WideStrain const after = law_.project(trial, records, Wide(dt));
+      for (int k = 0; k < chunks_at_once && c + k < batch.count; ++k) {
+        int const own = c + k;
+        Strain const eps{get(after.entries, k)};
+        State const state{get(records.values, k)};
+        write(batch, own, eps, state);
+        if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
+        check(batch, own, dt_gradient[own], eps, state, motion);
       }
-      auto const upright = determinant_of_step(dt_gradient[c]) > Lanes(0.0);
-      auto const finite = is_finite(sum);
-      if (!all(upright & finite)) report(batch, c, upright, finite, motion);
     }
   }
 
@@ -162,6 +157,43 @@ class MaterialOf final : public Material<Kinematics::dimension> {
   }
 
  private:
+  /// Chunks that a law maps at once. The steps of a search wait for each other; a second chunk fills the gaps.
+  static constexpr int chunks_at_once = Law::State::count > 0 ? 2 : 1;
+  using Wide = Pack<chunks_at_once * lanes>;
+  using WideStrain = Symmetric<Wide, Shape>;
+  using WideState = Record<Wide, typename Law::State>;
+
+  template <class P>
+  static auto& of_chunk(P& wide, int k) {
+    if constexpr (chunks_at_once == 1)
+      return wide;
+    else
+      return k == 0 ? wide.low : wide.high;
+  }
+  template <std::size_t n>
+  static void put(std::array<Wide, n>& wide, int k, std::array<Lanes, n> const& values) {
+    for (std::size_t e = 0; e < n; ++e) of_chunk(wide[e], k) = values[e];
+  }
+  template <std::size_t n>
+  static std::array<Lanes, n> get(std::array<Wide, n> const& wide, int k) {
+    std::array<Lanes, n> values;
+    for (std::size_t e = 0; e < n; ++e) values[e] = of_chunk(wide[e], k);
+    return values;
+  }
+  void write(Batch<D> const& batch, int c, Strain const& eps, State const& state) const {
+    Lanes* chunk = batch.chunk(c);
+    for (int k = 0; k < Strain::size; ++k) chunk[batch.at.strain + k] = eps[k];
+    for (std::size_t k = 0; k < state_at_.size(); ++k) chunk[state_at_[k]] = state.values[k];
+  }
+  void check(Batch<D> const& batch, int c, Matrix<Lanes, D> const& H, Strain const& eps, State const& state,
+             Motion& motion) const {
+    Lanes sum(0.0);
+    for (int k = 0; k < Strain::size; ++k) sum += eps[k];
+    for (Lanes const& value : state.values) sum += value;
+    auto const upright = determinant_of_step(H) > Lanes(0.0);
+    auto const finite = is_finite(sum);
+    if (!all(upright & finite)) report(batch, c, upright, finite, motion);
+  }
   static Strain strain(Batch<D> const& batch, Lanes const* chunk) {
     Strain eps;
     for (int k = 0; k < Strain::size; ++k) eps[k] = chunk[batch.at.strain + k];
@@ -171,6 +203,18 @@ class MaterialOf final : public Material<Kinematics::dimension> {
     State s;
     for (std::size_t k = 0; k < state_at_.size(); ++k) s.values[k] = chunk[state_at_[k]];
     return s;
+  }
+  /// V_p^0 tau_p, and mu_p where `friction`.
+  [[gnu::always_inline]] Load<D> load_of(Batch<D> const& batch, Lanes const* chunk, Strain const& eps,
+                                         State const& state, bool friction) const {
+    Load<D> load;
+    Strain const tau = law_.stress(eps);
+    Lanes const volume = chunk[batch.at.mass] * Lanes(1.0 / this->density);
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j) load.force(i, j) = volume * tau(i, j);
+    if constexpr (HasFriction<Law>)
+      if (friction) load.friction = law_.friction(eps, state);
+    return load;
   }
   /// det(I + dt L): not positive where the step turns the material inside out.
   static Lanes determinant_of_step(Matrix<Lanes, D> const& H) {

@@ -18,17 +18,20 @@ namespace talus {
 /// its time.
 inline constexpr int register_lanes = 4;
 
-/// Compiler vectors of N doubles and of N 64-bit integers (the masks that comparisons give).
+/// Compiler vectors of N doubles, in a register and as they lie among other doubles, and of N 64-bit integers (the
+/// masks that comparisons give). A copy by memcpy would go through 128 bits, and the next load would wait for it.
 template <int N>
 struct VectorExtension;
 template <>
 struct VectorExtension<2> {
   typedef double Value __attribute__((vector_size(16)));
+  typedef double InMemory __attribute__((vector_size(16), aligned(8), may_alias));
   typedef long long Mask __attribute__((vector_size(16)));
 };
 template <>
 struct VectorExtension<4> {
   typedef double Value __attribute__((vector_size(32)));
+  typedef double InMemory __attribute__((vector_size(32), aligned(8), may_alias));
   typedef long long Mask __attribute__((vector_size(32)));
 };
 /// N truth values.
@@ -99,19 +102,23 @@ struct alignas(8 * N) Pack {
 template <int N>
 requires(N <= register_lanes) struct alignas(8 * N) Pack<N> {
   using Value = typename VectorExtension<N>::Value;
+  using InMemory = typename VectorExtension<N>::InMemory;
   static constexpr int size = N;
 
   Value value;
 
   Pack() = default;
-  explicit Pack(Value v) : value(v) {}
-  Pack(double s) : value(Value{} + s) {}  // NOLINT: a number is a pack of equal lanes
-  static Pack load(double const* p) {
-    Pack r;
-    __builtin_memcpy(&r.value, p, sizeof(Value));
-    return r;
+  // Written out, because g++ copies an array of trivial structures through registers of 128 bits, and the next load of
+  // the whole waits until those have reached the cache.
+  Pack(Pack const& other) : value(other.value) {}
+  Pack& operator=(Pack const& other) {
+    value = other.value;
+    return *this;
   }
-  void store(double* p) const { __builtin_memcpy(p, &value, sizeof(Value)); }
+  explicit Pack(Value v) : value(v) {}
+  Pack(double s) : value(s - Value{}) {}  // NOLINT: a number is a pack of equal lanes; - 0 keeps every s as it is
+  static Pack load(double const* p) { return Pack(*reinterpret_cast<InMemory const*>(p)); }
+  void store(double* p) const { *reinterpret_cast<InMemory*>(p) = value; }
 
   [[nodiscard]] double operator[](int lane) const { return value[lane]; }
   void set(int lane, double s) { value[lane] = s; }
@@ -138,14 +145,27 @@ requires(N <= register_lanes) struct alignas(8 * N) Pack<N> {
 inline constexpr int lanes = 8;
 using Lanes = Pack<lanes>;
 
+/// What fills a register. Long sums over few values are taken register by register, so that they stay in registers.
+using Register = Pack<register_lanes>;
+inline constexpr int registers = lanes / register_lanes;  ///< of a pack of particles
+static_assert(registers == 2);
+
+/// Register number r of a pack.
+inline Register& part(Lanes& pack, int r) {
+  return r == 0 ? pack.low : pack.high;
+}
+inline Register const& part(Lanes const& pack, int r) {
+  return r == 0 ? pack.low : pack.high;
+}
+
 template <int N>
 bool any(Mask<N> m) {
   if constexpr (N > register_lanes) {
     return any(m.low | m.high);
   } else {
-    long long r = 0;
-    for (int i = 0; i < N; ++i) r |= m.bits[i];
-    return r != 0;
+    auto bits = m.bits;
+    if constexpr (N == 4) bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+    return (bits[0] | bits[1]) != 0;
   }
 }
 template <int N>
@@ -195,64 +215,18 @@ template <int N>
 Pack<N> floor(Pack<N> a) {
   return lane_by_lane(a, [](double s) { return __builtin_floor(s); });
 }
+/// Writes lanes that are whole numbers as such.
 template <int N>
-Pack<N> log(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::log(s); });
-}
-template <int N>
-Pack<N> log1p(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::log1p(s); });
-}
-template <int N>
-Pack<N> expm1(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::expm1(s); });
-}
-template <int N>
-Pack<N> sinh(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::sinh(s); });
-}
-template <int N>
-Pack<N> asinh(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::asinh(s); });
-}
-template <int N>
-Pack<N> cosh(Pack<N> a) {
-  return lane_by_lane(a, [](double s) { return std::cosh(s); });
-}
-
-/// 2^k, where `shifted` is 1.5 * 2^52 + k: its low bits hold the whole number k.
-template <int N>
-Pack<N> power_of_two(Pack<N> shifted) {
+void store_whole(Pack<N> a, int* out) {
   if constexpr (N > register_lanes) {
-    return {power_of_two(shifted.low), power_of_two(shifted.high)};
+    store_whole(a.low, out);
+    store_whole(a.high, out + N / 2);
   } else {
-    using Bits = typename VectorExtension<N>::Mask;
-    return Pack<N>(typename Pack<N>::Value((Bits(shifted.value) + 1023LL) << 52));
+    typedef int Whole __attribute__((vector_size(4 * N)));
+    Whole const whole = __builtin_convertvector(a.value, Whole);
+    __builtin_memcpy(out, &whole, sizeof(Whole));
   }
 }
-
-/// exp to about one unit in the last place: 2^k exp(r), |r| <= ln(2)/2, exp(r) by its Taylor polynomial of degree 13.
-/// Below -708 the result is 0, above 709 infinity; NaN stays NaN.
-template <int N>
-Pack<N> exp(Pack<N> a) {
-  using P = Pack<N>;
-  constexpr double log2e = 1.4426950408889634074, ln2_hi = 6.93147180369123816490e-01,
-                   ln2_lo = 1.90821492927058770002e-10, shift = 6755399441055744.0;  // 1.5 * 2^52: rounds to integer
-  P const x = max(P(-708.0), min(P(709.0), a));
-  P const shifted = x * P(log2e) + P(shift);
-  P const k = shifted - P(shift);
-  P const r = (x - k * P(ln2_hi)) - k * P(ln2_lo);
-  constexpr double c[] = {
-      1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040,
-      1.0 / 720,        1.0 / 120,       1.0 / 24,       1.0 / 6,       0.5,          1.0,         1.0};
-  P poly(c[0]);
-  for (int i = 1; i < 14; ++i) poly = poly * r + P(c[i]);
-  P const scaled = poly * power_of_two(shifted);
-  P const high = select_lanes(a > P(709.0), P(std::numeric_limits<double>::infinity()), scaled);
-  P const low = select_lanes(a < P(-708.0), P(0.0), high);
-  return select_lanes(a == a, low, a);
-}
-
 /// Largest lane.
 template <int N>
 double horizontal_max(Pack<N> a) {

@@ -41,12 +41,18 @@ class Particles {
     Batch<D> b;
     b.chunks = data_.data() + run.first_chunk * layout_.packs();
     b.count = run.chunks();
+    b.ahead = b.chunks + static_cast<std::ptrdiff_t>(b.count) * layout_.packs();
     b.particles = run.particles;
     b.stride = layout_.packs();
     b.at = places_;
     b.spacing = spacing;
     for (std::size_t d = 0; d < D; ++d) b.first[d] = block_edge * double(block[d]) - 1;
     return b;
+  }
+
+  /// First chunk of a block.
+  [[nodiscard]] Lanes const* chunks_of(std::size_t block) const {
+    return data_.data() + runs_[first_run_[block]].first_chunk * layout_.packs();
   }
 
   /// One number of a particle; `slot` is its run's first chunk * lanes + its place in the run.
@@ -71,8 +77,8 @@ class Particles {
       for (int k = 0; k < run.particles; ++k) f(run.first_chunk * lanes + k, run.material);
   }
 
-  /// Groups the particles by block (of their stencil's first node), material and cell; brings them back into the
-  /// period. Throws RunError for a particle that is not finite or too far away to be addressed.
+  /// Groups the particles by block (of their stencil's first node, or the next one where that is nearer), material and
+  /// cell; brings them back into the period. Throws RunError for a particle that is not finite or too far away to be addressed.
   void sort(BlockGrid<D>& grid, double spacing, double base_shift);
 
  private:
@@ -117,7 +123,7 @@ typename Particles<D>::Bin Particles<D>::bin_of(BlockGrid<D> const& grid, double
   BlockIndex<D> place{};
   std::int32_t cell = 0;
   for (int d = 0; d < D; ++d) {
-    double const x = get(slot, places_.position + d), base = std::floor(x / spacing - base_shift);
+    double const x = get(slot, places_.position + d), base = std::floor(x / spacing - base_shift + 0.5);
     if (!(std::abs(base) < double(block_edge) * (farthest_block - 2)))
       throw RunError("particle " + std::to_string(static_cast<long>(get(slot, places_.identity))) +
                      " is outside the space that can be addressed: coordinate " + std::to_string(d) + " is " +

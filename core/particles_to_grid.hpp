@@ -26,97 +26,91 @@ struct Load {
 };
 
 /// `affine`: the velocity has a gradient C_p. `apart`: the node has a second vector for the impulse (and friction),
-/// because the blend needs the velocity before it; else the impulse is added to the momentum at once. `loaded`: there
-/// are forces at all.
+/// because the blend needs the velocity before it; else the impulse is added to the momentum at once. `friction` is the
+/// last component of the first vector in the plane, and of the second in space. `loaded`: there are forces at all.
 struct Scatter {
   bool affine = false, apart = false, friction = false, loaded = true;
 };
 
 namespace detail {
 
-/// The vectors that one particle spreads over its nodes: `spread` by w, `arm[d]` by w (x_i - x_p)_d, `push[d]` by
-/// dw/dx_d.
-template <int D, Scatter S>
-struct Spread {
-  NodeVector spread[lanes], rub[lanes], arm[D][lanes], push[D][lanes];
+/// What a particle spreads over its nodes is a sum of products over the dimensions, in which each dimension has one
+/// factor that is a vector and the others are weights:
+///
+///   node (i, j, k) += w_k (w_j X_i + w_i Y_j) + w_i w_j Z_k                                            (5)
+///   momentum: X_i = w_i m v + h l_i m C e_x - dt/h g_i V tau e_x,  Y_j = h l_j m C e_y - dt/h g_j V tau e_y, ...  (6)
+///
+/// w: weights, l: levers, g: slopes along that dimension. The impulse has its own factors where it is kept apart.
+/// factor[d][k][lane] is the vector of node k along dimension d.
+template <int D, class Kernel>
+struct Factors {
+  NodeVector factor[D][Kernel::width][lanes];
+};
 
-  [[gnu::always_inline]] Spread(Batch<D> const& batch, Lanes const* chunk, Load<D> const* load, double dt) {
-    Lanes const* v = chunk + batch.at.velocity;
-    Lanes const m = chunk[batch.at.mass], none(0.0);
-    if constexpr (D == 2) to_particles(m * v[0], m * v[1], m, none, spread);
-    if constexpr (D == 3) to_particles(m * v[0], m * v[1], m * v[2], m, spread);
-    if constexpr (S.affine) {
-      Lanes const* C = chunk + batch.at.affine;
-      for (int d = 0; d < D; ++d) {
-        if constexpr (D == 2) to_particles(m * C[d], m * C[D + d], none, none, arm[d]);
-        if constexpr (D == 3) to_particles(m * C[d], m * C[D + d], m * C[2 * D + d], none, arm[d]);
-      }
+/// The factors (6) of momentum, with mass behind it, and of the impulse where it is apart; friction is the last
+/// component of either.
+template <int D, class Kernel, Scatter S>
+struct Spread {
+  static constexpr bool arms = S.affine || (S.loaded && !S.apart);  ///< Y and Z of the momentum are not zero
+  Factors<D, Kernel> momentum, impulse;
+
+  /// Factors along dimension d of the particles of register r.
+  [[gnu::always_inline]] void fill(Batch<D> const& batch, Lanes const* chunk, Load<D> const* load, double dt, int r,
+                                   int d, Axis<Kernel> const& axis) {
+    Register const m = part(chunk[batch.at.mass], r), arm = m * Register(batch.spacing),
+                   push = Register(-dt / batch.spacing);
+    Lanes const *velocity = chunk + batch.at.velocity, *gradient = chunk + batch.at.affine;
+    Register v[D], C[D], f[D];
+#pragma GCC unroll 4
+    for (int c = 0; c < D; ++c) {
+      if (d == 0) v[c] = m * part(velocity[c], r);
+      if constexpr (S.affine) C[c] = arm * part(gradient[c * D + d], r);
+      if constexpr (S.loaded) f[c] = push * part(load->force(c, d), r);
     }
-    if constexpr (S.loaded) {
-      auto const& force = load->force;
-      Lanes const s(-dt);
-      for (int d = 0; d < D; ++d) {
-        if constexpr (D == 2) to_particles(s * force(0, d), s * force(1, d), none, none, push[d]);
-        if constexpr (D == 3) to_particles(s * force(0, d), s * force(1, d), s * force(2, d), none, push[d]);
+#pragma GCC unroll 4
+    for (int k = 0; k < Kernel::width; ++k) {
+      Register const w = axis.weight[k], l = axis.lever[k], g = axis.slope[k], none(0.0);
+      Components moved{none, none, none, none}, pushed{none, none, none, none};
+#pragma GCC unroll 4
+      for (int c = 0; c < D; ++c) {
+        if (d == 0) moved[c] = w * v[c];
+        if constexpr (S.affine) moved[c] = d == 0 ? moved[c] + l * C[c] : l * C[c];
+        if constexpr (S.loaded && S.apart) pushed[c] = g * f[c];
+        if constexpr (S.loaded && !S.apart) moved[c] = d == 0 || S.affine ? moved[c] + g * f[c] : g * f[c];
       }
-    }
-    if constexpr (S.friction) {
-      if constexpr (D == 2) to_particles(none, none, m * load->friction, none, rub);
-      if constexpr (D == 3) to_particles(none, none, none, m * load->friction, rub);
+      if (d == 0) moved[D] = w * m;
+      if constexpr (S.friction)
+        if (d == 0) (D == 2 ? moved : pushed)[3] = w * m * part(load->friction, r);
+      if (d == 0 || arms) to_particles(moved, momentum.factor[d][k] + r * register_lanes);
+      if (S.loaded && S.apart) to_particles(pushed, impulse.factor[d][k] + r * register_lanes);
     }
   }
 };
 
-/// Two sums that belong to a node: its momentum, and its impulse where that is kept apart.
-template <Scatter S>
-struct Pair {
-  NodeVector momentum, impulse;
-};
-
-/// Adds one particle to the nodes of its stencil.
-template <int D, class Kernel, Scatter S>
-[[gnu::always_inline]] inline void scatter_one(Spread<D, S> const& p, Stencil<D, Kernel> const& stencil, int lane,
-                                               NodeVector* arena) {
-  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge, vectors = S.apart ? 2 : 1;
-  auto const w = [&](int d, int k) { return NodeVector(stencil.weight[d][k][lane]); };
-  auto const g = [&](int d, int k) { return NodeVector(stencil.slope[d][k][lane]); };
-  auto const r = [&](int d, int k) { return NodeVector(stencil.arm[d][k][lane]); };
-  // What dimension d adds along node k, for a unit weight in the others.
-  auto const along = [&](int d, int k) {
-    Pair<S> sum{NodeVector(0.0), NodeVector(0.0)};
-    if constexpr (S.affine) sum.momentum = w(d, k) * r(d, k) * p.arm[d][lane];
-    if constexpr (S.loaded) (S.apart ? sum.impulse : sum.momentum) += g(d, k) * p.push[d][lane];
-    return sum;
-  };
-  // sum <- sum w + other s
-  auto const advance = [](Pair<S> const& sum, NodeVector weight, Pair<S> const& other, NodeVector scale) {
-    Pair<S> next = sum;
-    next.momentum = sum.momentum * weight + other.momentum * scale;
-    if constexpr (S.apart) next.impulse = sum.impulse * weight + other.impulse * scale;
-    return next;
-  };
-  Pair<S> const own{p.spread[lane], S.friction ? p.rub[lane] : NodeVector(0.0)};
-  Pair<S> last[width];
-  for (int k = 0; k < width; ++k) last[k] = along(D - 1, k);
-  NodeVector const one(1.0);
+/// Adds (5) to the nodes of one particle's stencil, in the first of each node's `vectors`.
+/// tail: the factors of dimensions other than the first are not zero.
+template <int D, class Kernel, int vectors, bool tail>
+[[gnu::always_inline]] inline void add(Factors<D, Kernel> const& p, Stencil<D, Kernel> const& stencil, int lane,
+                                       NodeVector* arena) {
+  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge;
+  NodeVector* const first = stencil.first(arena, lane, vectors);
+#pragma GCC unroll 4
   for (int i = 0; i < width; ++i) {
-    Pair<S> const x = advance(own, w(0, i), along(0, i), one);
-    if constexpr (D == 2) {
-      NodeVector* node = arena + (stencil.node[lane] + i * edge) * vectors;
-      for (int j = 0; j < width; ++j, node += vectors) {
-        Pair<S> const add = advance(x, w(1, j), last[j], w(0, i));
-        node[0] += add.momentum;
-        if constexpr (S.apart) node[1] += add.impulse;
-      }
-    } else {
-      for (int j = 0; j < width; ++j) {
-        Pair<S> const xy = advance(x, w(1, j), along(1, j), w(0, i));
-        NodeVector const scale = w(0, i) * w(1, j);
-        NodeVector* node = arena + (stencil.node[lane] + (i * edge + j) * edge) * vectors;
-        for (int k = 0; k < width; ++k, node += vectors) {
-          Pair<S> const add = advance(xy, w(2, k), last[k], scale);
-          node[0] += add.momentum;
-          if constexpr (S.apart) node[1] += add.impulse;
+#pragma GCC unroll 4
+    for (int j = 0; j < width; ++j) {
+      NodeVector const w_i(stencil.weight[0][i][lane]), w_j(stencil.weight[1][j][lane]);
+      NodeVector line = w_j * p.factor[0][i][lane];
+      if (tail) line += w_i * p.factor[1][j][lane];
+      if constexpr (D == 2) {
+        first[(i * edge + j) * vectors] += line;
+      } else {
+        NodeVector const w_ij(stencil.pair[i][j][lane]);
+#pragma GCC unroll 4
+        for (int k = 0; k < width; ++k) {
+          int const node = ((i * edge + j) * edge + k) * vectors;
+          NodeVector sum = first[node] + NodeVector(stencil.weight[2][k][lane]) * line;
+          if (tail) sum += w_ij * p.factor[2][k][lane];
+          first[node] = sum;
         }
       }
     }
@@ -125,17 +119,33 @@ template <int D, class Kernel, Scatter S>
 
 }  // namespace detail
 
-/// Adds a batch to its block's arena. `loads` has one entry a chunk (unused where S.loaded and S.friction are false).
+/// Adds chunk c to its block's arena (`load` is unused where S.loaded and S.friction are false).
+template <int D, class Kernel, Scatter S>
+[[gnu::always_inline]] inline void scatter_chunk(Batch<D> const& batch, int c, Load<D> const* load, double dt,
+                                                 NodeVector* arena) {
+  using Spread = detail::Spread<D, Kernel, S>;
+  constexpr int vectors = S.apart ? 2 : 1;
+  Lanes const* chunk = batch.chunk(c);
+  Stencil<D, Kernel> stencil;
+  Spread spread;
+  auto const along = [&](int r) {
+    return [&, r ](int d, Axis<Kernel> const& axis) __attribute__((always_inline)) {
+      spread.fill(batch, chunk, load, dt, r, d, axis);
+    };
+  };
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) stencil.place(batch, chunk, r, along(r));
+  int const filled = batch.filled(c);
+  for (int lane = 0; lane < filled; ++lane) {
+    detail::add<D, Kernel, vectors, Spread::arms>(spread.momentum, stencil, lane, arena);
+    if constexpr (S.loaded && S.apart) detail::add<D, Kernel, vectors, true>(spread.impulse, stencil, lane, arena + 1);
+  }
+}
+
+/// Adds a batch. `loads` has one entry a chunk.
 template <int D, class Kernel, Scatter S>
 [[gnu::flatten]] void particles_to_grid(Batch<D> const& batch, Load<D> const* loads, double dt, NodeVector* arena) {
-  for (int c = 0; c < batch.count; ++c) {
-    Lanes const* chunk = batch.chunk(c);
-    __builtin_prefetch(chunk + batch.stride);
-    Stencil<D, Kernel> const stencil(batch, chunk + batch.at.position);
-    detail::Spread<D, S> const spread(batch, chunk, loads + c, dt);
-    int const filled = batch.filled(c);
-    for (int lane = 0; lane < filled; ++lane) detail::scatter_one<D, Kernel, S>(spread, stencil, lane, arena);
-  }
+  for (int c = 0; c < batch.count; ++c) scatter_chunk<D, Kernel, S>(batch, c, loads + c, dt, arena);
 }
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <concepts>
 
-#include "core/pack.hpp"
+#include "core/pack_functions.hpp"
 
 namespace talus {
 

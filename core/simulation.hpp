@@ -3,12 +3,15 @@
 ///
 /// One step from t to t + dt (update stress last; MUSL maps back in between):
 ///
-///   particles to grid   stress of the strain that was left, momentum, mass, force into each block's arena
-///   grid                arenas summed, nodes accelerated, walls
+///   particles to grid   stress of the strain that was left, momentum, mass, force into a block's arena and the nodes
+///   grid                nodes accelerated, walls
 ///   grid to particles   velocities, positions, dt L
 ///   law                 trial strain, return map
 ///
-/// A step begins and ends with particles: strain and state are stored, the stress never is.
+/// A step begins and ends with particles: strain and state are stored, the stress never is. While a block's particles
+/// are in the core's cache after the law, they are scattered for the next step, too, if its length can be foreseen; a
+/// step whose length was foreseen wrongly, and the first one after a sort or a checkpoint, scatters by itself. The bits
+/// are the same.
 
 #include <string>
 #include <vector>
@@ -37,7 +40,10 @@ class Simulation {
   Simulation(Simulation const&) = delete;
 
   [[nodiscard]] Scene<D> const& scene() const { return scene_; }
-  [[nodiscard]] Particles<D>& particles() { return particles_; }
+  [[nodiscard]] Particles<D>& particles() {
+    scattered_for_ = 0;  // the caller may change them
+    return particles_;
+  }
   [[nodiscard]] Particles<D> const& particles() const { return particles_; }
   [[nodiscard]] BlockGrid<D> const& grid() const { return grid_; }
   [[nodiscard]] double time() const { return time_; }
@@ -60,6 +66,7 @@ class Simulation {
     measure();
     grid_.build(std::move(keys));
     resize();
+    scattered_for_ = 0;
     time_ = time;
     steps_ = steps;
     drift_ = drift;
@@ -81,11 +88,15 @@ class Simulation {
     particles_.sort(grid_, scene_.spacing, scene_.stages->base_shift);
     resize();
     drift_ = 0;
+    scattered_for_ = 0;
     ++sorts_;
   }
   void resize();
   void particles_to_grid(double dt);
-  void grid_to_particles(double dt);
+  /// next: length of the step to scatter for [s], or 0.
+  void grid_to_particles(double dt, double next);
+  /// Length of the step after this one, where nothing but the stiffness will limit it; else 0. [s]
+  [[nodiscard]] double foreseen(double end) const;
   void map_back(double dt);
   /// Id of the fastest particle.
   [[nodiscard]] long fastest() const;
@@ -94,18 +105,33 @@ class Simulation {
   [[noreturn]] void stop(double dt) const;
 
   struct Scratch {
-    std::vector<NodeVector> arena;
+    std::vector<NodeVector> told;    ///< nodes that a block gathers from
+    std::vector<NodeVector> summed;  ///< nodes that a block scatters into; zero between blocks
     std::vector<Load<D>> loads;
     std::vector<Matrix<Lanes, D>> dt_gradient;
   };
   Scratch& scratch() { return scratch_[static_cast<std::size_t>(thread_number())]; }
 
+  /// Calls f(block, the one after it, scratch) for the particle blocks, those of one colour at the same time.
   template <class F>
-  void for_each_run(std::size_t block, F const& f) {
+  void for_each_block(F const& f) {
+    for (int c = 0; c < BlockGrid<D>::colours; ++c) {
+      auto const blocks = grid_.coloured(c);
+      for_each_index(static_cast<std::ptrdiff_t>(blocks.size()), [&](std::ptrdiff_t k) {
+        auto const own = static_cast<std::size_t>(k);
+        auto const next = static_cast<std::size_t>(blocks[std::min(own + 1, blocks.size() - 1)]);
+        f(static_cast<std::size_t>(blocks[own]), next, scratch());
+      });
+    }
+  }
+  /// Calls f(material, batch) for the runs of a block; `ahead` is the block that comes next.
+  template <class F>
+  void for_each_run(std::size_t block, std::size_t ahead, F const& f) {
     for (std::size_t r = particles_.first_run(block); r < particles_.first_run(block + 1); ++r) {
       Run const& run = particles_.runs()[r];
-      f(*scene_.materials[static_cast<std::size_t>(run.material)],
-        particles_.batch(run, scene_.spacing, grid_.particle_block(block)));
+      Batch<D> batch = particles_.batch(run, scene_.spacing, grid_.particle_block(block));
+      batch.ahead = particles_.chunks_of(ahead);
+      f(*scene_.materials[static_cast<std::size_t>(run.material)], batch);
     }
   }
 
@@ -119,6 +145,7 @@ class Simulation {
   Momentum<D> momentum_;
   TimeStep last_;
   double time_ = 0, drift_ = 0, mass_ = 0, largest_mass_ = 0;
+  double scattered_for_ = 0;  ///< length of the step that the arenas hold the particles for, or 0 [s]
   long steps_ = 0, sorts_ = 0;
 };
 

@@ -35,16 +35,25 @@ void Simulation<D>::resize() {
   scratch_.resize(static_cast<std::size_t>(thread_count()));
   auto const chunks = static_cast<std::size_t>(particles_.most_chunks_of_a_run());
   for (Scratch& s : scratch_) {
-    s.arena.resize(pass_.arena_size());
+    s.told.resize(pass_.told_size());
+    s.summed.assign(pass_.summed_size(), NodeVector(0.0));
     s.loads.resize(chunks);
     s.dt_gradient.resize(chunks);
   }
 }
 
+/// A particle may move this many cells before it must be sorted anew; the margin is for rounding.
+inline constexpr double drift_limit = 0.5 - 1e-6;
+
+template <int D>
+double Simulation<D>::foreseen(double end) const {
+  double const elastic = elastic_step(scene_), after = time_ + last_.dt;
+  bool const sorted_first = drift_ + last_.dt * motion_.speed / scene_.spacing > drift_limit;
+  return last_.limiter == "elastic" && end - after > elastic && !sorted_first ? elastic : 0;
+}
+
 template <int D>
 void Simulation<D>::advance(double end) {
-  // A particle may lie one cell beyond its block, no more; the margin is for rounding.
-  constexpr double drift_limit = 1 - 1e-6;
   last_ = next(end);
   double const dt = last_.dt;
   // A step a million times shorter than the stiffness asks for leads nowhere in a lifetime.
@@ -56,12 +65,12 @@ void Simulation<D>::advance(double end) {
                    state_of(fastest()) +
                    "\nLikely causes: a velocity far above the wave speed, a state that blows up.");
   if (drift_ > drift_limit) sort();
-  particles_to_grid(dt);
-  Impulses<D> const impulses = pass_.move(grid_, time_, dt);
+  if (scattered_for_ != dt) particles_to_grid(dt);
+  pass_.move(grid_, time_, dt, momentum_.walls);
   if (scene_.stages->remaps) map_back(dt);
-  grid_to_particles(dt);
+  scattered_for_ = foreseen(end);
+  grid_to_particles(dt, scattered_for_);
 
-  for (std::size_t w = 0; w < impulses.size(); ++w) momentum_.walls[w] += impulses[w];
   momentum_.gravity += mass_ * dt * scene_.gravity;
   motion_ = {};
   for (Motion const& motion : motions_) motion_.unite(motion);
@@ -73,46 +82,47 @@ void Simulation<D>::advance(double end) {
 
 template <int D>
 void Simulation<D>::particles_to_grid(double dt) {
-  for_each_index(static_cast<std::ptrdiff_t>(grid_.particle_blocks()), [&](std::ptrdiff_t b) {
-    auto const block = static_cast<std::size_t>(b);
-    NodeVector* arena = pass_.cleared_arena(block);
-    Scratch& own = scratch();
-    for_each_run(block, [&](Material<D> const& material, Batch<D> const& batch) {
+  pass_.clear();
+  for_each_block([&](std::size_t block, std::size_t ahead, Scratch& own) {
+    for_each_run(block, ahead, [&](Material<D> const& material, Batch<D> const& batch) {
       material.load(batch, scene_.stages->friction, own.loads.data());
-      scene_.stages->scatter(batch, own.loads.data(), dt, arena);
+      scene_.stages->scatter(batch, own.loads.data(), dt, own.summed.data());
     });
+    pass_.add(grid_, block, own.summed.data());
   });
 }
 
 template <int D>
 void Simulation<D>::map_back(double dt) {
-  for_each_index(static_cast<std::ptrdiff_t>(grid_.particle_blocks()), [&](std::ptrdiff_t b) {
-    auto const block = static_cast<std::size_t>(b);
-    Scratch& own = scratch();
-    pass_.load(grid_, block, own.arena.data());
-    NodeVector* arena = pass_.cleared_arena(block);
-    for_each_run(block, [&](Material<D> const&, Batch<D> const& batch) {
-      scene_.stages->gather(batch, own.arena.data(), dt, own.dt_gradient.data(), motions_[block]);
-      scene_.stages->scatter_again(batch, arena);
+  for_each_block([&](std::size_t block, std::size_t ahead, Scratch& own) {
+    pass_.load(grid_, block, own.told.data());
+    for_each_run(block, ahead, [&](Material<D> const&, Batch<D> const& batch) {
+      scene_.stages->gather(batch, own.told.data(), dt, own.dt_gradient.data(), motions_[block]);
+      scene_.stages->scatter_again(batch, own.summed.data());
     });
+    pass_.add_again(grid_, block, own.summed.data());
   });
   pass_.remap(grid_, time_, dt);
 }
 
 template <int D>
-void Simulation<D>::grid_to_particles(double dt) {
-  for_each_index(static_cast<std::ptrdiff_t>(grid_.particle_blocks()), [&](std::ptrdiff_t b) {
-    auto const block = static_cast<std::size_t>(b);
-    Scratch& own = scratch();
+void Simulation<D>::grid_to_particles(double dt, double next) {
+  Stages<D> const& stages = *scene_.stages;
+  for_each_block([&](std::size_t block, std::size_t ahead, Scratch& own) {
     Motion& motion = motions_[block] = {};
-    pass_.load(grid_, block, own.arena.data());
-    for_each_run(block, [&](Material<D> const& material, Batch<D> const& batch) {
-      if (scene_.stages->remaps)
-        scene_.stages->gather_again(batch, own.arena.data(), dt, own.dt_gradient.data(), motion);
+    pass_.load(grid_, block, own.told.data());
+    for_each_run(block, ahead, [&](Material<D> const& material, Batch<D> const& batch) {
+      if (stages.remaps)
+        stages.gather_again(batch, own.told.data(), dt, own.dt_gradient.data(), motion);
       else
-        scene_.stages->gather(batch, own.arena.data(), dt, own.dt_gradient.data(), motion);
-      material.update(batch, own.dt_gradient.data(), dt, motion);
+        stages.gather(batch, own.told.data(), dt, own.dt_gradient.data(), motion);
+      Load<D>* loads = next > 0 ? own.loads.data() : nullptr;
+      material.update(batch, own.dt_gradient.data(), dt, motion, loads, stages.friction);
+      // a particle that has left its arena is not scattered: the step that follows sorts, or does not come
+      bool const within = motion.failed < 0 && drift_ + dt * motion.speed / scene_.spacing <= drift_limit;
+      if (next > 0 && within) stages.scatter(batch, loads, next, own.summed.data());
     });
+    if (next > 0) pass_.add(grid_, block, own.summed.data());
   });
 }
 

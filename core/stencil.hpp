@@ -4,87 +4,108 @@
 
 #include <array>
 
+#include "core/arena.hpp"
 #include "core/batch.hpp"
 #include "core/kernel.hpp"
 
 namespace talus {
 
-/// Nodes along an edge of a block's arena: the block's cells, the kernel's reach, and one cell of drift on either side.
+/// Nodes along an edge of a block's arena: the block's cells, one more for the drift of half a cell on either side, and
+/// the kernel's reach.
 template <class Kernel>
-inline constexpr int arena_edge = block_edge + Kernel::degree + 2;
+inline constexpr int arena_edge = block_edge + 1 + Kernel::degree;
 
-/// Nodes of an arena.
-template <int D, class Kernel>
-inline constexpr int arena_nodes =
-    D == 2 ? arena_edge<Kernel>* arena_edge<Kernel> : arena_edge<Kernel>* arena_edge<Kernel>* arena_edge<Kernel>;
-
-/// Vectors over the components of a node: D velocities (or momenta), then the mass.
-using NodeVector = Pack<4>;
-
-/// Kernel values of the particles of one chunk, dimension by dimension.
+/// Kernel values of the particles of a register along one dimension, in units of h.
 ///
-///   weight[d][k][lane]  N_k                    slope[d][k][lane]  dN_k/dx [1/m]
-///   arm[d][k][lane]     x_k - x_p [m]          node[lane]         the stencil's first node in the arena
-template <int D, class Kernel>
-struct Stencil {
-  static constexpr int width = Kernel::width, edge = arena_edge<Kernel>;
-  using Values = std::array<std::array<Lanes, width>, D>;
+///   weight[k]  N_k        slope[k]  h dN_k/dx        lever[k]  N_k (x_k - x_p) / h
+template <class Kernel>
+struct Axis {
+  static constexpr int width = Kernel::width;
+  std::array<Register, width> weight, slope, lever;
+  Register base;  ///< the stencil's first node
 
-  Values weight, slope, arm;
-  std::array<int, lanes> node;
-
-  [[gnu::always_inline]] Stencil(Batch<D> const& batch, Lanes const* position) {
-    double const h = batch.spacing;
-    std::array<Lanes, D> base;
-    for (int d = 0; d < D; ++d) {
-      Lanes const xi = position[d] * Lanes(1.0 / h) - Lanes(batch.first[d]);
-      base[d] = floor(xi - Lanes(Kernel::base_shift));
-      Lanes const f = xi - base[d];
-      Kernel::weights(f, weight[d]);
-      Kernel::slopes(f, slope[d]);
-      for (int k = 0; k < width; ++k) {
-        slope[d][k] = slope[d][k] * Lanes(1.0 / h);
-        arm[d][k] = (Lanes(double(k)) - f) * Lanes(h);
-      }
-    }
-    Lanes at = base[0];
-    for (int d = 1; d < D; ++d) at = at * Lanes(double(edge)) + base[d];
-    for (int lane = 0; lane < lanes; ++lane) node[lane] = static_cast<int>(at[lane]);
+  /// xi [1]: places of the particles, from the arena's first node on.
+  [[gnu::always_inline]] explicit Axis(Register xi) : base(floor(xi - Register(Kernel::base_shift))) {
+    Register const f = xi - base;
+    Kernel::weights(f, weight);
+    Kernel::slopes(f, slope);
+#pragma GCC unroll 4
+    for (int k = 0; k < width; ++k) lever[k] = weight[k] * (Register(double(k)) - f);
   }
 };
 
-/// Four packs of particles to one vector of four numbers a particle: out[lane] = {a, b, c, d} of that lane.
-[[gnu::always_inline]] inline void to_particles(Lanes a, Lanes b, Lanes c, Lanes d, NodeVector* out) {
-  using V = NodeVector::Value;
-  for (int half = 0; half < lanes; half += 4) {
-    V v[4];
-    Lanes const packs[4] = {a, b, c, d};
-    for (int k = 0; k < 4; ++k) __builtin_memcpy(&v[k], reinterpret_cast<double const*>(&packs[k]) + half, sizeof(V));
-    V const ab_low = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6);
-    V const ab_high = __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
-    V const cd_low = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6);
-    V const cd_high = __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
-    out[half + 0] = NodeVector(__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5));
-    out[half + 1] = NodeVector(__builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5));
-    out[half + 2] = NodeVector(__builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7));
-    out[half + 3] = NodeVector(__builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7));
+/// What the loop over a chunk's particles needs of the kernel: weight[d][k][lane], the products of those of the first two
+/// dimensions, pair[i][j][lane] (in space), and node[lane], the number of the stencil's first node in the arena.
+template <int D, class Kernel>
+struct Stencil {
+  static constexpr int width = Kernel::width, edge = arena_edge<Kernel>;
+  using AtLanes = std::array<double, lanes>;
+
+  alignas(Lanes) std::array<std::array<AtLanes, width>, D> weight;
+  alignas(Lanes) std::array<std::array<AtLanes, width>, width> pair;
+  std::array<int, lanes> node;
+
+  /// Takes the particles of register r from the chunk; calls along(d, axis) for each dimension.
+  template <class F>
+  [[gnu::always_inline]] void place(Batch<D> const& batch, Lanes const* chunk, int r, F const& along) {
+    Lanes const* position = chunk + batch.at.position;
+    Register at(0.0);
+#pragma GCC unroll 4
+    for (int d = 0; d < D; ++d) {
+      Register const x = part(position[d], r);
+      Axis<Kernel> const axis(x * Register(1.0 / batch.spacing) - Register(batch.first[d]));
+#pragma GCC unroll 4
+      for (int k = 0; k < width; ++k) {
+        axis.weight[k].store(&weight[d][k][r * register_lanes]);
+        if (D == 3 && d == 1)
+          for (int i = 0; i < width; ++i)
+            (Register::load(&weight[0][i][r * register_lanes]) * axis.weight[k]).store(&pair[i][k][r * register_lanes]);
+      }
+      at = at * Register(double(edge)) + axis.base;
+      along(d, axis);
+    }
+    store_whole(at, &node[r * register_lanes]);
   }
+
+  /// The first node of a particle's stencil. The address is kept whole: g++ would else add the two halves of it anew at
+  /// every node.
+  template <class Vector>
+  [[gnu::always_inline]] Vector* first(Vector* arena, int lane, int vectors) const {
+    Vector* node_of = arena + node[lane] * vectors;
+    asm("" : "+r"(node_of));
+    return node_of;
+  }
+};
+
+namespace detail {
+/// Rows to columns: component k of result j is component j of argument k.
+[[gnu::always_inline]] inline std::array<NodeVector, 4> transposed(NodeVector a, NodeVector b, NodeVector c,
+                                                                   NodeVector d) {
+  using V = NodeVector::Value;
+  V const ab_low = __builtin_shufflevector(a.value, b.value, 0, 4, 2, 6);
+  V const ab_high = __builtin_shufflevector(a.value, b.value, 1, 5, 3, 7);
+  V const cd_low = __builtin_shufflevector(c.value, d.value, 0, 4, 2, 6);
+  V const cd_high = __builtin_shufflevector(c.value, d.value, 1, 5, 3, 7);
+  return {NodeVector(__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5)),
+          NodeVector(__builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5)),
+          NodeVector(__builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7)),
+          NodeVector(__builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7))};
+}
+}  // namespace detail
+
+/// Components of node vectors for the particles of a register: a register each.
+using Components = std::array<Register, 4>;
+
+/// Components of particles to one vector a particle: out[lane] = {c[0], c[1], c[2], c[3]} of that lane.
+[[gnu::always_inline]] inline void to_particles(Components const& c, NodeVector* out) {
+  auto const rows = detail::transposed(c[0], c[1], c[2], c[3]);
+#pragma GCC unroll 4
+  for (int k = 0; k < register_lanes; ++k) out[k] = rows[k];
 }
 
-/// The way back: one vector a particle to packs of particles; component k of in[lane] becomes lane `lane` of out[k].
-[[gnu::always_inline]] inline std::array<Lanes, 4> to_lanes(NodeVector const* in) {
-  using V = NodeVector::Value;
-  std::array<Lanes, 4> out;
-  for (int half = 0; half < lanes; half += 4) {
-    V const a = in[half].value, b = in[half + 1].value, c = in[half + 2].value, d = in[half + 3].value;
-    V const ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    V const cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    V const rows[4] = {
-        __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5), __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
-        __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7), __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
-    for (int k = 0; k < 4; ++k) __builtin_memcpy(reinterpret_cast<double*>(&out[k]) + half, &rows[k], sizeof(V));
-  }
-  return out;
+/// The way back: component k of in[lane] becomes lane `lane` of result k.
+[[gnu::always_inline]] inline Components to_lanes(NodeVector const* in) {
+  return detail::transposed(in[0], in[1], in[2], in[3]);
 }
 
 }  // namespace talus

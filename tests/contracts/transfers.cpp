@@ -120,19 +120,22 @@ BOOST_AUTO_TEST_CASE(every_kernel_finds_the_gradient_of_an_affine_velocity_of_th
     Simulation<D> simulation(elastic_scene<D, K, T, I>());
     fill(simulation, cloud<D>(3));
     Stages<D> const& stages = *simulation.scene().stages;
-    std::vector<NodeVector> arena(static_cast<std::size_t>(stages.arena_nodes() * stages.vectors));
+    std::vector<NodeVector> arena(static_cast<std::size_t>(stages.arena_nodes * stages.told));
     std::vector<Matrix<Lanes, D>> gradients(static_cast<std::size_t>(simulation.particles().most_chunks_of_a_run()));
     Motion motion;
     double worst = 0;
     for (Run const& run : simulation.particles().runs()) {
       Batch<D> const batch =
           simulation.particles().batch(run, h, simulation.grid().particle_block(static_cast<std::size_t>(run.block)));
-      for (int node = 0; node < stages.arena_nodes(); ++node) {
+      for (int node = 0; node < stages.arena_nodes; ++node) {
         Point<D> x;
-        for (int d = D - 1, rest = node; d >= 0; --d, rest /= stages.arena_edge)
-          x[d] = h * (batch.first[static_cast<std::size_t>(d)] + rest % stages.arena_edge);
-        for (int k = 0; k < stages.vectors; ++k)
-          for (int d = 0; d < D; ++d) arena[static_cast<std::size_t>(node * stages.vectors + k)].set(d, flow(x)[d]);
+        for (int d = D - 1, rest = node; d >= 0; --d, rest /= arena_edge<K>)
+          x[d] = h * (batch.first[static_cast<std::size_t>(d)] + rest % arena_edge<K>);
+        // both velocities of a node: in the plane they share a vector
+        for (int k = 0; k < 2; ++k)
+          for (int d = 0; d < D; ++d)
+            arena[static_cast<std::size_t>(node * stages.told + k % stages.told)].set(second_component<D> * k + d,
+                                                                                      flow(x)[d]);
       }
       constexpr double dt = 0.125;
       if (I::remaps)

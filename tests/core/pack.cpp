@@ -1,4 +1,4 @@
-#include "core/pack.hpp"
+#include "core/pack_functions.hpp"
 
 #include <boost/mpl/list.hpp>
 #include <boost/test/unit_test.hpp>

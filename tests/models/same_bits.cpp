@@ -56,6 +56,10 @@ std::vector<Trial> trials() {
                   300});
   // The back wall stands in the way of what repeats.
   list.back().document.value["walls"].erase(1);
+  // An odd number of blocks: the last one has a colour of its own.
+  list.push_back({"slope that repeats after three blocks",
+                  shipped("dam_break_22.json", {"/grid/spacing=0.02", "/grid/periods=[0.24, 0]"}), 300});
+  list.back().document.value["walls"].erase(1);
   return list;
 }
 
