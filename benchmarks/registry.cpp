@@ -14,6 +14,7 @@ std::span<Benchmark const> benchmarks() {
       Benchmark{"threads", "several threads against one, and whether they give the same bits", 25, threads},
       Benchmark{"sparse", "two heaps 1000 cells apart against two heaps side by side", 20, sparse},
       Benchmark{"size", "cost of a particle-step from 20 000 to 2 000 000 particles, and of sorting", 60, size},
+      Benchmark{"fused", "a step of kernels chosen at run time, block by block, against one fused kernel", 25, fused},
       Benchmark{"instructions", "instructions of a particle-step, counted by callgrind, against the baseline", 180,
                 instructions},
   };

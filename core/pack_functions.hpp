@@ -55,14 +55,13 @@ Pack<N> exp(Pack<N> a) {
   P const shifted = x * P(log2e) + P(shift);
   P const k = shifted - P(shift);
   P const r = (x - k * P(ln2_hi)) - k * P(ln2_lo);
-  constexpr double c[] = {
-      1.0,        1.0,         0.5,          1.0 / 6,       1.0 / 24,       1.0 / 120,       1.0 / 720,
-      1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
-  // in pairs of pairs (Estrin), so that few operations wait for each other
+  constexpr double c[] = {0.5,         1.0 / 6,      1.0 / 24,      1.0 / 120,      1.0 / 720,       1.0 / 5040,
+                          1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
+  // 1 + r + r^2 (...), the rest in pairs of pairs (Estrin), so that few operations wait for each other
   P const r2 = r * r, r4 = r2 * r2;
   auto const pair = [&](int i) { return P(c[i]) + P(c[i + 1]) * r; };
   auto const four = [&](int i) { return pair(i) + pair(i + 2) * r2; };
-  P const poly = four(0) + r4 * (four(4) + r4 * (four(8) + r4 * pair(12)));
+  P const poly = P(1.0) + (r + r2 * (four(0) + r4 * (four(4) + r4 * four(8))));
   P const scaled = poly * power_of_two(shifted);
   P const high = select_lanes(a > P(709.0), P(std::numeric_limits<double>::infinity()), scaled);
   P const low = select_lanes(a < P(-708.0), P(0.0), high);

@@ -32,7 +32,7 @@ class Verbs(InFolder):
             self.assertIn(f"Example:\n  talus {verb}", self.talus(verb, "--help").stdout)
 
     def test_a_verb_of_a_program_that_is_not_built_is_told(self):
-        told = self.talus("bench", code=8)
+        told = self.talus("compare", code=8)
         self.assertIn("not in this build", told.stderr)
 
     def test_files_that_are_not_there_are_told(self):

@@ -30,15 +30,13 @@ struct MappedStress {
 /// Start: with p_c frozen both coordinates shrink as 1/(1 + multiplier), and the inverse radius is all but linear in
 /// the multiplier: one Newton step for it. Everything is homogeneous in the stresses, so they need no scaling.
 ///
-/// Cost: one strength, two divisions and one root an evaluation; about three evaluations.
+/// Cost: one strength, two divisions and one root an evaluation; about four evaluations.
 ///
 /// Source: flow rule and hardening as in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; start after Moré &
 /// Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
 template <class Hardening>
 struct CamClayMap {
   static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
-  /// A step of Newton's iteration that is shorter is the last: its own error is of the order of its square.
-  static constexpr double last_step = 1e-7;
 
   Ellipse const& surface;
   Hardening const& hardening;
@@ -68,7 +66,7 @@ struct CamClayMap {
 
     T const inner = select<T>(plastic, surface.centre(p_c_n), p_tr);
     auto const root =
-        bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(last_step) * p_c_n);
+        bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(tolerance) * p_c_n);
 
     T const p_c = strength(root.x);
     EllipsePoint<T> at = surface.at(root.x, p_c);
