@@ -1,11 +1,9 @@
 /// talus-bench: chooses benchmarks, runs them, and says what came out.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/registry.hpp"
@@ -123,13 +121,6 @@ ExitCode bench(Arguments const& a) {
   return document["met"].get<bool>() ? cli::done : cli::expectation_failed;
 }
 
-/// Threads that wait must not take the processor from others. The runtime reads this before main begins.
-void wait_passively(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  setenv("OMP_WAIT_POLICY", "passive", 1);
-  execv("/proc/self/exe", argv);
-}
-
 int told(std::exception const& error) {
   fmt::print(stderr, "talus-bench: {}\n", error.what());
   if (dynamic_cast<InputError const*>(&error) != nullptr) return cli::input_invalid;
@@ -141,7 +132,6 @@ int told(std::exception const& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  wait_passively(argv);
   Arguments arguments;
   arguments.command_line.assign(argv, argv + argc);
   CLI::App app{"What Talus costs: machine limits, stages, ratios to a textbook solver, threads, instructions.",

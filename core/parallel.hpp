@@ -22,6 +22,10 @@ inline int thread_number() {
 /// Calls f(i) for i = 0 ... n - 1 on all threads, in any order. f must not throw.
 template <class F>
 void for_each_index(std::ptrdiff_t n, F const& f) {
+  if (n <= 1) {  // to wake the others costs more
+    if (n == 1) f(std::ptrdiff_t{0});
+    return;
+  }
 #pragma omp parallel for schedule(dynamic, 2)
   for (std::ptrdiff_t i = 0; i < n; ++i) f(i);
 }
