@@ -81,7 +81,7 @@ Result size(Options const& options) {
     curve.high.push_back(1e9 / particles * quantile(crowds.times[k], 0.75));
   }
   sorts.notes = {
-      "One sort is timed by itself, with the making of the arenas. Steps between sorts follow from the "
+      "One sort is timed by itself, with the making of the grid. Steps between sorts follow from the "
       "largest speed: particles may drift half a cell."};
   return {{cost, even, sorts},
           {{"size",

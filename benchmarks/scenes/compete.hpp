@@ -27,7 +27,7 @@ bool advance(Simulation<D>& simulation) {
 }
 
 /// Warms a simulation up by some steps and measures its sorts. One `begin` is timed in place of a sort: it sorts,
-/// makes the arenas anew, and reads every mass and velocity besides, so that this is an upper bound.
+/// makes the grid anew, and reads every mass and velocity besides, so that this is an upper bound.
 template <int D>
 [[nodiscard]] SortCost measure_sort(Simulation<D>& simulation, Clock clock, int steps = 12) {
   std::vector<double> times;

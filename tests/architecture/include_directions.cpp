@@ -1,4 +1,4 @@
-/// Who may include whom:  core <- models <- verification <- {benchmarks, tests}.
+/// Who may include whom:  core <- models <- verification <- benchmarks <- tests.
 
 #include <boost/test/unit_test.hpp>
 #include <map>
