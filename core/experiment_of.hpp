@@ -66,3 +66,8 @@ class ExperimentOf final : public Experiment {
 #include "core/experiment_checkpoint.hpp"
 #include "core/experiment_explain.hpp"
 #include "core/experiment_measure.hpp"
+
+namespace talus {
+extern template class ExperimentOf<2>;  // core/experiment_of.cpp
+extern template class ExperimentOf<3>;
+}  // namespace talus

@@ -152,3 +152,8 @@ class Simulation {
 }  // namespace talus
 
 #include "core/simulation_step.hpp"
+
+namespace talus {
+extern template class Simulation<2>;  // core/simulation.cpp
+extern template class Simulation<3>;
+}  // namespace talus

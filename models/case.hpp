@@ -8,7 +8,17 @@
 #include <vector>
 
 #include "core/config/choice.hpp"
-#include "models/catalogue.hpp"
+#include "models/catalogue_bodies.hpp"
+#include "models/catalogue_contacts.hpp"
+#include "models/catalogue_integrators.hpp"
+#include "models/catalogue_kernels.hpp"
+#include "models/catalogue_kinematics.hpp"
+#include "models/catalogue_motions.hpp"
+#include "models/catalogue_seedings.hpp"
+#include "models/catalogue_shapes.hpp"
+#include "models/catalogue_transfers.hpp"
+#include "models/catalogue_velocity_fields.hpp"
+#include "models/chosen_law.hpp"
 
 namespace talus {
 
@@ -26,7 +36,7 @@ struct GridEntry {
 struct MaterialEntry {
   std::string name;
   double density = 1000;
-  Choice<catalogue::Laws> law;
+  OpenChoice<ChosenLaw> law;
   static constexpr auto table() {
     return std::tuple{
         parameter(&MaterialEntry::name, "name", "how bodies refer to it").required(),

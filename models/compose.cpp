@@ -100,7 +100,8 @@ std::vector<Explanation::Line> policies_of(Case const& document) {
   add("kernel", document.kernel);
   add("transfer", document.transfer);
   add("integrator", document.integrator);
-  for (MaterialEntry const& m : document.materials) add("law of " + m.name, m.law);
+  for (MaterialEntry const& m : document.materials)
+    lines.push_back({"law of " + m.name, std::string(m.law->name()) + ": " + std::string(m.law->title())});
   for (BodyEntry const& b : document.bodies) {
     add("shape of " + b.name, b.shape);
     add("seeding of " + b.name, b.seeding);
@@ -126,9 +127,7 @@ std::unique_ptr<Experiment> compose_in(Case const& document) {
   scene.limits = {document.time.safety, document.time.crossing, document.time.gradient};
   scene.strain_size = Symmetric<double, typename K::Shape>::size;
   for (MaterialEntry const& m : document.materials)
-    m.law.visit([&]<class L>(std::type_identity<L>, auto const& parameters) {
-      scene.materials.push_back(make_material<K, L>(m.name, m.density, parameters));
-    });
+    scene.materials.push_back(std::get<std::unique_ptr<Material<D>>>(m.law->material(K::name, m.name, m.density)));
   scene.walls = walls_of<D>(document);
   scene.stages = stages_of<D>(document);
   std::vector<Filling<D>> fillings;

@@ -78,11 +78,9 @@ void check_walls(Case const& document, int D, Mistakes& wrong) {
     });
     if (!entry.contact.holds<wall::MaterialFriction>()) continue;
     for (MaterialEntry const& m : document.materials)
-      m.law.visit([&]<class L>(std::type_identity<L>, auto const&) {
-        if (!HasFriction<L>)
-          wrong.push_back(at("walls", k, "contact") + ": the law '" + std::string(L::name) + "' of material '" +
-                          m.name + "' has no friction that a wall could take");
-      });
+      if (!m.law->has_friction())
+        wrong.push_back(at("walls", k, "contact") + ": the law '" + std::string(m.law.name()) + "' of material '" +
+                        m.name + "' has no friction that a wall could take");
   }
 }
 

@@ -130,7 +130,8 @@ class Models final : public Program {
   }
 
   [[nodiscard]] std::vector<PolicyKind> catalogue() const override {
-    return {kind_of<catalogue::Laws>("laws", "Constitutive laws: stress of the strain, and the return map"),
+    return {PolicyKind{"laws", "Constitutive laws: stress of the strain, and the return map",
+                       OpenChoice<ChosenLaw>::alternatives()},
             kind_of<catalogue::Kinematics>("kinematics", "Space, and the shape of strain and stress in it"),
             kind_of<catalogue::Kernels>("kernels", "Weights between particles and nodes"),
             kind_of<catalogue::Transfers>("transfers", "How velocities pass between particles and nodes"),

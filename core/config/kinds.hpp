@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -51,6 +52,17 @@ template <class T>
 inline constexpr bool is_choice = false;
 template <class List>
 inline constexpr bool is_choice<Choice<List>> = true;
+
+/// A choice among policies that are known by name alone (core/config/open_choice.hpp).
+template <class T>
+concept OpenChoiceMember = requires(T const& choice, nlohmann::json& object) {
+  choice.write_parameters(object);
+  T::alternatives();
+};
+
+/// A member that a "type" chooses.
+template <class T>
+concept ChoiceMember = is_choice<T> || OpenChoiceMember<T>;
 
 template <class T>
 concept IntegerMember = std::integral<T> && !std::same_as<T, bool>;

@@ -76,9 +76,14 @@ std::vector<Outline> outline_of_members(P const& initial) {
   return parts;
 }
 
+template <class P>
+Alternative outline_of_policy() {
+  return {P::name, P::title, source_of<P>(), outline_of_members(typename P::Parameters{})};
+}
+
 template <class... P>
 std::vector<Alternative> outline_of_policies(TypeList<P...>) {
-  return {Alternative{P::name, P::title, source_of<P>(), outline_of_members(typename P::Parameters{})}...};
+  return {outline_of_policy<P>()...};
 }
 
 /// An entry of a list: what the list says of its numbers holds for each of them.
@@ -97,6 +102,9 @@ void outline_kind(T const& initial, Outline& outline) {
   } else if constexpr (is_choice<T>) {
     outline.kind = Kind::choice;
     outline.alternatives = outline_of_policies(typename T::Policies{});
+  } else if constexpr (OpenChoiceMember<T>) {
+    outline.kind = Kind::choice;
+    outline.alternatives = T::alternatives();
   } else if constexpr (Described<T>) {
     outline.kind = Kind::group;
     outline.parts = outline_of_members(initial);
@@ -119,7 +127,7 @@ void outline_kind(T const& initial, Outline& outline) {
 /// Whether an initialiser is a value for a document. A group has none of its own: its members have.
 template <class T>
 bool is_default(T const& initial) {
-  if constexpr (is_choice<T>) return !initial.is_empty();
+  if constexpr (ChoiceMember<T>) return !initial.is_empty();
   return !Described<T>;
 }
 

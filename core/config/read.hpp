@@ -83,6 +83,8 @@ struct Filler {
       fill_list(given, into, pointer);
     } else if constexpr (is_choice<T>) {
       fill_choice(given, into, pointer);
+    } else if constexpr (OpenChoiceMember<T>) {
+      if (given != nullptr) into = T::read(*given, reader, pointer);
     } else if constexpr (Described<T>) {
       fill_members(given, into, pointer);
     } else if constexpr (IntegerMember<T>) {

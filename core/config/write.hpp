@@ -44,7 +44,7 @@ void write_members(P const& values, nlohmann::json& object) {
     if constexpr (is_optional<typename Row::Type>) {
       if (!(values.*row.member).has_value()) return;
     }
-    if constexpr (is_choice<typename Row::Type>) {
+    if constexpr (ChoiceMember<typename Row::Type>) {
       if ((values.*row.member).is_empty()) return;
     }
     write(values.*row.member, new_member(object, row.name));
@@ -62,10 +62,13 @@ void write(T const& value, nlohmann::json& into) {
   } else if constexpr (ListMember<T>) {
     detail::put_empty_list(into);
     for (EntryOf<T> const& entry : value) write<EntryOf<T>>(entry, detail::new_entry(into));
-  } else if constexpr (is_choice<T>) {
+  } else if constexpr (ChoiceMember<T>) {
     detail::put_empty_object(into);
     detail::put(detail::new_member(into, "type"), std::string(value.name()));
-    visit(value, [&](auto, auto const& parameters) { detail::write_members(parameters, into); });
+    if constexpr (OpenChoiceMember<T>)
+      value.write_parameters(into);
+    else
+      visit(value, [&](auto, auto const& parameters) { detail::write_members(parameters, into); });
   } else if constexpr (Described<T>) {
     detail::put_empty_object(into);
     detail::write_members(value, into);

@@ -1,0 +1,27 @@
+#pragma once
+/// A law of the catalogue as documents choose it.
+
+#include "core/material.hpp"
+#include "models/catalogue_kinematics.hpp"
+#include "models/chosen_law.hpp"
+
+namespace talus {
+
+template <Law L>
+class LawOf final : public Offered<ChosenLaw, L> {
+ public:
+  using Offered<ChosenLaw, L>::Offered;
+  [[nodiscard]] bool has_friction() const override { return HasFriction<L>; }
+  [[nodiscard]] MaterialOfSomeSpace material(std::string_view kinematics, std::string const& name,
+                                             double density) const override {
+    MaterialOfSomeSpace made;
+    for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
+      if (K::name == kinematics)
+        made = std::unique_ptr<Material<K::dimension>>(
+            std::make_unique<MaterialOf<K, L>>(name, density, this->parameters_));
+    });
+    return made;
+  }
+};
+
+}  // namespace talus
