@@ -87,30 +87,44 @@ struct Spread {
   }
 };
 
-/// Adds (5) to the nodes of one particle's stencil, in the first of each node's `vectors`.
+/// (5) on the line of nodes (i, j, .) of one particle; in the plane, on the node itself.
 /// tail: the factors of dimensions other than the first are not zero.
-template <int D, class Kernel, int vectors, bool tail>
-[[gnu::always_inline]] inline void add(Factors<D, Kernel> const& p, Stencil<D, Kernel> const& stencil, int lane,
+template <int D, class Kernel, bool tail>
+[[gnu::always_inline]] inline NodeVector line_of(Factors<D, Kernel> const& p, int i, int j, int lane, NodeVector w_i,
+                                                 NodeVector w_j) {
+  NodeVector const line = w_j * p.factor[0][i][lane];
+  return tail ? line + w_i * p.factor[1][j][lane] : line;
+}
+
+/// Adds (5) to the nodes of one particle's stencil, momentum and what is kept apart from it in one go: the weights are
+/// the same.
+template <int D, class Kernel, Scatter S>
+[[gnu::always_inline]] inline void add(Spread<D, Kernel, S> const& p, Stencil<D, Kernel> const& stencil, int lane,
                                        NodeVector* arena) {
-  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge;
+  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge, vectors = S.apart ? 2 : 1;
+  constexpr bool arms = Spread<D, Kernel, S>::arms, pushed = S.loaded && S.apart;
   NodeVector* const first = stencil.first(arena, lane, vectors);
 #pragma GCC unroll 4
   for (int i = 0; i < width; ++i) {
 #pragma GCC unroll 4
     for (int j = 0; j < width; ++j) {
       NodeVector const w_i(stencil.weight[0][i][lane]), w_j(stencil.weight[1][j][lane]);
-      NodeVector line = w_j * p.factor[0][i][lane];
-      if (tail) line += w_i * p.factor[1][j][lane];
+      NodeVector const moved = line_of<D, Kernel, arms>(p.momentum, i, j, lane, w_i, w_j);
+      NodeVector const push = pushed ? line_of<D, Kernel, true>(p.impulse, i, j, lane, w_i, w_j) : moved;
+      NodeVector* const line = first + (D == 2 ? i * edge + j : (i * edge + j) * edge) * vectors;
       if constexpr (D == 2) {
-        first[(i * edge + j) * vectors] += line;
+        line[0] += moved;
+        if (pushed) line[1] += push;
       } else {
         NodeVector const w_ij(stencil.pair[i][j][lane]);
 #pragma GCC unroll 4
         for (int k = 0; k < width; ++k) {
-          int const node = ((i * edge + j) * edge + k) * vectors;
-          NodeVector sum = first[node] + NodeVector(stencil.weight[2][k][lane]) * line;
-          if (tail) sum += w_ij * p.factor[2][k][lane];
-          first[node] = sum;
+          NodeVector* const node = line + k * vectors;
+          NodeVector const w_k(stencil.weight[2][k][lane]);
+          NodeVector sum = node[0] + w_k * moved;
+          if (arms) sum += w_ij * p.momentum.factor[2][k][lane];
+          node[0] = sum;
+          if (pushed) node[1] = (node[1] + w_k * push) + w_ij * p.impulse.factor[2][k][lane];
         }
       }
     }
@@ -123,11 +137,9 @@ template <int D, class Kernel, int vectors, bool tail>
 template <int D, class Kernel, Scatter S>
 [[gnu::always_inline]] inline void scatter_chunk(Batch<D> const& batch, int c, Load<D> const* load, double dt,
                                                  NodeVector* arena) {
-  using Spread = detail::Spread<D, Kernel, S>;
-  constexpr int vectors = S.apart ? 2 : 1;
   Lanes const* chunk = batch.chunk(c);
   Stencil<D, Kernel> stencil;
-  Spread spread;
+  detail::Spread<D, Kernel, S> spread;
   auto const along = [&](int r) {
     return [&, r ](int d, Axis<Kernel> const& axis) __attribute__((always_inline)) {
       spread.fill(batch, chunk, load, dt, r, d, axis);
@@ -136,10 +148,7 @@ template <int D, class Kernel, Scatter S>
 #pragma GCC unroll 2
   for (int r = 0; r < registers; ++r) stencil.place(batch, chunk, r, along(r));
   int const filled = batch.filled(c);
-  for (int lane = 0; lane < filled; ++lane) {
-    detail::add<D, Kernel, vectors, Spread::arms>(spread.momentum, stencil, lane, arena);
-    if constexpr (S.loaded && S.apart) detail::add<D, Kernel, vectors, true>(spread.impulse, stencil, lane, arena + 1);
-  }
+  for (int lane = 0; lane < filled; ++lane) detail::add<D, Kernel, S>(spread, stencil, lane, arena);
 }
 
 /// Adds a batch. `loads` has one entry a chunk.

@@ -49,3 +49,8 @@ talus_catalogue(VelocityFields body::AtRest models/bodies/velocities/at_rest.hpp
 talus_catalogue(VelocityFields body::Uniform models/bodies/velocities/uniform.hpp)
 talus_catalogue(VelocityFields body::Linear models/bodies/velocities/linear.hpp)
 talus_catalogue(VelocityFields body::Rotation models/bodies/velocities/rotation.hpp)
+
+talus_catalogue(Controls control::Rate models/controls/rate.hpp)
+talus_catalogue(Controls control::Strain models/controls/strain.hpp)
+talus_catalogue(Controls control::Stress models/controls/stress.hpp)
+talus_catalogue(Controls control::Held models/controls/held.hpp)

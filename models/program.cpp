@@ -4,7 +4,7 @@
 #include "core/config/schema.hpp"
 #include "core/config/write.hpp"
 #include "models/compose.hpp"
-#include "models/study.hpp"
+#include "models/documents.hpp"
 
 namespace talus {
 
@@ -14,42 +14,57 @@ ExpectedValue expected_of(Expectation const& e) {
   return {e.measure, e.time, e.value, std::max(e.relative * std::abs(e.value), e.absolute), e.because};
 }
 
-/// Reads a P whose space is that of the kinematics at `space`, and gathers what its table cannot say.
-template <class P>
-P read_with_space(Document const& document, Reader& reader, std::string const& space) {
-  nlohmann::json::json_pointer const pointer(space);
-  if (document.value.is_object() && document.value.contains(pointer) && document.value[pointer].is_string())
-    reader.dimension = dimension_of_kinematics(document.value[pointer].get<std::string>());
-  return read<P>(document.value, reader);
+nlohmann::json json_of(std::vector<AnyValue> const& list) {
+  nlohmann::json out = nlohmann::json::array();
+  for (AnyValue const& value : list) write(value, out.emplace_back());
+  return out;
 }
 
-/// Adds what the consistency check finds, with the pointer put behind `base`.
-void add_inconsistencies(Case const& values, std::string const& base, Reader& reader) {
-  for (std::string const& text : inconsistencies(values)) {
-    auto const colon = text.find(": ");
-    std::string const pointer = base + text.substr(0, colon);
-    reader.refuse(pointer, text.substr(colon + 2), {});
-  }
+template <class Values>
+void add_axes_and_expectations(Values const& values, StudyPlan& plan) {
+  for (AxisEntry const& axis : values.axes) plan.axes.push_back({axis.path, json_of(axis.values)});
+  for (auto const& e : values.expect) plan.expect.push_back({json_of(e.at), expected_of(e)});
 }
 
-Case read_case(Document const& document, Reader& reader) {
-  Case values = read_with_space<Case>(document, reader, "/kinematics/type");
-  if (reader.mistakes.empty()) add_inconsistencies(values, "", reader);
-  return values;
+StudyPlan plan_of(Study const& values, Document const& document) {
+  StudyPlan plan{values.title, values.cite, document.value["base"], {}, {}, {}, {}, {}};
+  write(values.base, plan.resolved_base);
+  add_axes_and_expectations(values, plan);
+  return plan;
 }
 
-Study read_study(Document const& document, Reader& reader) {
-  Study values = read_with_space<Study>(document, reader, "/base/kinematics/type");
-  if (!reader.mistakes.empty()) return values;
-  if (values.schema != Study::tag) reader.refuse("/schema", "'" + values.schema + "'", std::string(Study::tag));
-  Case base = values.base;
-  for (StudyExpectationEntry const& entry : values.expect) base.expect.push_back(entry);
-  add_inconsistencies(base, "/base", reader);
-  for (std::size_t k = 0; k < values.expect.size(); ++k)
-    if (values.expect[k].at.size() != values.axes.size())
-      reader.refuse("/expect/" + std::to_string(k) + "/at", std::to_string(values.expect[k].at.size()) + " values",
-                    "one for each of the " + std::to_string(values.axes.size()) + " axes");
-  return values;
+/// The base is the document itself, without what varies and judges it.
+StudyPlan plan_of(PointCase const& values, Document const& document) {
+  StudyPlan plan{values.title, values.cite, document.value, {}, {}, {}, {}, {}};
+  write(values, plan.resolved_base);
+  for (auto* base : {&plan.base, &plan.resolved_base})
+    for (auto const* part : {"axes", "expect"}) base->erase(part);
+  add_axes_and_expectations(values, plan);
+  for (PictureEntry const& p : values.pictures) plan.pictures.push_back({p.x, p.y});
+  for (PictureEntry const& p : values.ends) plan.ends.push_back({p.x, p.y});
+  return plan;
+}
+
+/// Reads by `read`, and keeps the mistakes and, where there are none, the echo.
+template <class F>
+CheckedCase checked_by(Document const& document, F const& read) {
+  Reader reader(document);
+  CheckedCase checked;
+  auto const values = read(document, reader);
+  if (reader.mistakes.empty()) write(values, checked.resolved);
+  checked.mistakes = std::move(reader.mistakes);
+  checked.warnings = std::move(reader.warnings);
+  return checked;
+}
+
+/// The schema of the whole: which part holds depends on the tag.
+nlohmann::json chosen_by_tag(nlohmann::json tags, nlohmann::json parts) {
+  nlohmann::json whole = parts.back();
+  for (std::size_t k = parts.size() - 1; k-- > 0;)
+    whole = {{"if", {{"type", "object"}, {"properties", {{"schema", {{"const", tags[k]}}}}}}},
+             {"then", parts[k]},
+             {"else", whole}};
+  return whole;
 }
 
 template <class List>
@@ -60,18 +75,9 @@ PolicyKind kind_of(std::string_view name, std::string_view meaning) {
 class Models final : public Program {
  public:
   [[nodiscard]] CheckedCase check(Document const& document) const override {
-    Reader reader(document);
-    CheckedCase checked;
-    if (is_study(document.value)) {
-      Study const values = read_study(document, reader);
-      if (reader.mistakes.empty()) write(values, checked.resolved);
-    } else {
-      Case const values = read_case(document, reader);
-      if (reader.mistakes.empty()) write(values, checked.resolved);
-    }
-    checked.mistakes = std::move(reader.mistakes);
-    checked.warnings = std::move(reader.warnings);
-    return checked;
+    if (is_study(document.value)) return checked_by(document, read_study);
+    if (is_point(document.value)) return checked_by(document, read_point);
+    return checked_by(document, read_case);
   }
 
   [[nodiscard]] Composed compose(Document const& document) const override {
@@ -98,34 +104,40 @@ class Models final : public Program {
     return composed;
   }
 
+  [[nodiscard]] ComposedPoint compose_point(Document const& document) const override {
+    Reader reader(document);
+    PointCase const values = read_point(document, reader);
+    reader.throw_if_mistaken();
+    ComposedPoint composed{talus::compose(values), path_of(values), {}, {}};
+    for (Mistake const& warning : reader.warnings) composed.warnings.push_back(warning.text(document.name));
+    write(values, composed.resolved);
+    return composed;
+  }
+
   [[nodiscard]] StudyPlan study(Document const& document) const override {
     Reader reader(document);
-    Study const values = read_study(document, reader);
-    reader.throw_if_mistaken();
-    StudyPlan plan{values.title, values.cite, document.value["base"], {}, {}, {}};
-    write(values.base, plan.resolved_base);
-    auto const json_of = [](std::vector<AnyValue> const& list) {
-      std::vector<nlohmann::json> out;
-      for (AnyValue const& value : list) write(value, out.emplace_back());
-      return out;
+    auto const plan_by = [&](auto const& read) {
+      auto const values = read(document, reader);
+      reader.throw_if_mistaken();
+      return plan_of(values, document);
     };
-    for (AxisEntry const& axis : values.axes) plan.axes.push_back({axis.path, json_of(axis.values)});
-    for (StudyExpectationEntry const& e : values.expect) plan.expect.push_back({json_of(e.at), expected_of(e)});
-    return plan;
+    return is_point(document.value) ? plan_by(read_point) : plan_by(read_study);
   }
 
   [[nodiscard]] nlohmann::json schema() const override {
-    nlohmann::json const of_case = talus::schema(outline<Case>(), "Talus case");
-    nlohmann::json const of_study = talus::schema(outline<Study>(), "Talus study");
+    nlohmann::json parts = nlohmann::json::array();
+    for (auto const& [name, outline] : documents()) {
+      parts.push_back(talus::schema(outline, "Talus " + name));
+      parts.back().erase("$schema");
+    }
+    nlohmann::json const tags{Case::tag, Study::tag, PointCase::tag};
     nlohmann::json whole{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                         {"title", "Talus case or study"},
+                         {"title", "Talus case, study or material point"},
                          {"type", "object"},
                          {"required", {"schema"}},
-                         {"properties", {{"schema", {{"enum", {Case::tag, Study::tag}}}}}}};
-    whole["if"] = {{"type", "object"}, {"properties", {{"schema", {{"const", Study::tag}}}}}};
-    whole["then"] = of_study;
-    whole["else"] = of_case;
-    for (auto const* part : {"then", "else"}) whole[part].erase("$schema");
+                         {"properties", {{"schema", {{"enum", tags}}}}}};
+    // the case last: a document without a tag that is known is judged as one
+    whole.update(chosen_by_tag({tags[2], tags[1], tags[0]}, {parts[2], parts[1], parts[0]}));
     return whole;
   }
 
@@ -141,11 +153,12 @@ class Models final : public Program {
             kind_of<catalogue::Motions>("motions", "How a wall moves"),
             kind_of<catalogue::Bodies>("bodies", "Regions that are filled with particles"),
             kind_of<catalogue::Seedings>("seedings", "How a region is filled"),
-            kind_of<catalogue::VelocityFields>("velocities", "Initial velocities")};
+            kind_of<catalogue::VelocityFields>("velocities", "Initial velocities"),
+            kind_of<catalogue::Controls>("controls", "What leads a component of a material point")};
   }
 
   [[nodiscard]] std::vector<std::pair<std::string, Outline>> documents() const override {
-    return {{"case", outline<Case>()}, {"study", outline<Study>()}};
+    return {{"case", outline<Case>()}, {"study", outline<Study>()}, {"point", outline<PointCase>()}};
   }
 };
 

@@ -45,9 +45,19 @@ int run(Arguments& arguments) {
   std::string given = io::read_file(arguments.file);
   Document const document = load(arguments.file, arguments.assignments);
   if (arguments.run.folder.empty()) arguments.run.folder = default_folder(arguments.file);
+  if (is_point(document.value)) throw InputError(arguments.file + ": this is a material point; 'talus point' runs it");
   bool const study = is_study(document.value);
   return report(study ? run_study(document, given, arguments.run) : run_case(document, given, arguments.run),
                 arguments);
+}
+
+int point(Arguments& arguments) {
+  std::string const given = io::read_file(arguments.file);
+  Document const document = load(arguments.file, arguments.assignments);
+  if (!is_point(document.value))
+    throw InputError(arguments.file + ": /schema: this is no material point, whose tag begins with talus/point/");
+  if (arguments.run.folder.empty()) arguments.run.folder = default_folder(arguments.file);
+  return report(run_point(document, given, arguments.run), arguments);
 }
 
 using Verb = std::function<int()>;
@@ -60,14 +70,24 @@ CLI::App* add_verb(CLI::App& app, Verb& chosen, std::string const& name, std::st
   return sub;
 }
 
+void add_output_options(CLI::App* verb, Arguments& a) {
+  verb->add_option("-o,--output", a.run.folder, "Folder of the run; runs/<name of the document> if not given");
+  verb->add_option("--set", a.assignments, "Change a value: /pointer=value");
+  verb->add_flag("--force", a.run.force, "Replace an earlier run in the folder");
+}
+
+void add_quiet_options(CLI::App* verb, Arguments& a) {
+  verb->add_flag("-q,--quiet", a.run.quiet, "No progress.");
+  verb->add_flag("!--no-pictures", a.run.pictures, "Draw no pictures at the end");
+  verb->add_flag("--json", a.json, "The summary as JSON on standard output.");
+}
+
 void add_run_options(CLI::App* verb, Arguments& a) {
   verb->add_option("-t,--threads", a.run.threads,
                    "Threads; 0: as many as the machine offers. Results do not depend on it.")
       ->check(CLI::Range(0, 1024));
   verb->add_option("--until", a.run.until, "Stop at the first step at or after this time [s] and write a checkpoint.");
-  verb->add_flag("-q,--quiet", a.run.quiet, "No progress.");
-  verb->add_flag("!--no-pictures", a.run.pictures, "Draw no pictures at the end");
-  verb->add_flag("--json", a.json, "The summary as JSON on standard output.");
+  add_quiet_options(verb, a);
 }
 
 void add_running_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
@@ -75,10 +95,14 @@ void add_running_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
                             "talus run verification/studies/dam_break_22.json -o runs/dam --set /time/end=0.4",
                             [&a] { return run(a); });
   verb->add_option("study", a.file, "Document of a case or study")->required();
-  verb->add_option("-o,--output", a.run.folder, "Folder of the run; runs/<name of the document> if not given");
-  verb->add_option("--set", a.assignments, "Change a value: /pointer=value");
-  verb->add_flag("--force", a.run.force, "Replace an earlier run in the folder");
+  add_output_options(verb, a);
   add_run_options(verb, a);
+
+  verb = add_verb(app, chosen, "point", "Lead one material point along a path of motion and stress.",
+                  "talus point verification/studies/direct_shear.json -o runs/shear", [&a] { return point(a); });
+  verb->add_option("study", a.file, "Document of a material point")->required();
+  add_output_options(verb, a);
+  add_quiet_options(verb, a);
 
   verb = add_verb(app, chosen, "resume", "Go on with a run from its newest checkpoint, with the same bits.",
                   "talus resume runs/dam", [&a] { return report(resume_case(a.run), a); });
@@ -126,17 +150,17 @@ void add_looking_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
   verb->add_option("kind", a.kind, "Kind of policy");
   json(verb);
 
-  verb = add_verb(app, chosen, "describe", "Describe a policy, or the document of a case or study.",
+  verb = add_verb(app, chosen, "describe", "Describe a policy, or the document of a case, study or material point.",
                   "talus describe cam_clay", [&a] {
                     if (a.all)
                       fmt::print("{}", manual());
                     else if (a.name.empty())
-                      throw InputError("name a policy, or 'case' or 'study', or give --all");
+                      throw InputError("name a policy, or 'case', 'study' or 'point', or give --all");
                     else
                       describe(a.name, a.json);
                     return done;
                   });
-  verb->add_option("name", a.name, "Name of a policy, or 'case' or 'study'");
+  verb->add_option("name", a.name, "Name of a policy, or 'case', 'study' or 'point'");
   verb->add_flag("--all", a.all, "The whole manual");
   json(verb);
 
@@ -195,7 +219,7 @@ int main(int argc, char** argv) {
   add_running_verbs(app, chosen, arguments);
   add_looking_verbs(app, chosen, arguments);
   hand_over(argc, argv);
-  for (std::string const verb : {"verify", "bench", "point", "report", "compare"})
+  for (std::string const verb : {"verify", "bench", "report", "compare"})
     if (argc > 1 && verb == argv[1]) {
       fmt::print(stderr, "talus: '{}' is not in this build\n", verb);
       return not_in_this_build;

@@ -12,6 +12,7 @@
 #include "core/config/outline.hpp"
 #include "core/config/read.hpp"
 #include "core/experiment.hpp"
+#include "core/material_point.hpp"
 
 namespace talus {
 
@@ -56,6 +57,11 @@ struct StudyExpectation {
   ExpectedValue expected;
 };
 
+/// One column of a series over another.
+struct PointPicture {
+  std::string x, y;
+};
+
 /// A base case, varied along axes (full product).
 struct StudyPlan {
   std::string title;
@@ -64,6 +70,15 @@ struct StudyPlan {
   nlohmann::json resolved_base;  ///< with all defaults
   std::vector<StudyAxis> axes;
   std::vector<StudyExpectation> expect;
+  std::vector<PointPicture> pictures, ends;  ///< of a material point: along the paths, and of their ends
+};
+
+/// A material point and its path.
+struct ComposedPoint {
+  std::unique_ptr<PointExperiment> point;
+  std::vector<Segment> path;
+  nlohmann::json resolved;
+  std::vector<std::string> warnings;
 };
 
 /// A kind of policy and what there is of it.
@@ -78,25 +93,34 @@ class Program {
   Program(Program const&) = delete;
   virtual ~Program() = default;
 
-  /// Every mistake of a case or study, none of them thrown.
+  /// Every mistake of a case, study or material point, none of them thrown.
   [[nodiscard]] virtual CheckedCase check(Document const& document) const = 0;
   /// Throws InputError with every mistake.
   [[nodiscard]] virtual Composed compose(Document const& document) const = 0;
-  /// Throws InputError with every mistake.
+  /// Of a material point: one without axes. Throws InputError with every mistake.
+  [[nodiscard]] virtual ComposedPoint compose_point(Document const& document) const = 0;
+  /// Of a study or a material point. Throws InputError with every mistake.
   [[nodiscard]] virtual StudyPlan study(Document const& document) const = 0;
   [[nodiscard]] virtual nlohmann::json schema() const = 0;
   [[nodiscard]] virtual std::vector<PolicyKind> catalogue() const = 0;
-  /// Tables of the documents themselves: case and study.
+  /// Tables of the documents themselves: case, study and point.
   [[nodiscard]] virtual std::vector<std::pair<std::string, Outline>> documents() const = 0;
 };
 
 /// The program's models.
 [[nodiscard]] Program const& program();
 
-/// Whether a document is a study; else it is a case.
-[[nodiscard]] inline bool is_study(nlohmann::json const& document) {
+/// Whether the tag of a document begins so.
+[[nodiscard]] inline bool has_tag(nlohmann::json const& document, std::string_view start) {
   return document.is_object() && document.contains("schema") && document["schema"].is_string() &&
-         document["schema"].get<std::string_view>().starts_with("talus/study/");
+         document["schema"].get<std::string_view>().starts_with(start);
+}
+/// Whether a document is a study or a material point; else it is a case.
+[[nodiscard]] inline bool is_study(nlohmann::json const& document) {
+  return has_tag(document, "talus/study/");
+}
+[[nodiscard]] inline bool is_point(nlohmann::json const& document) {
+  return has_tag(document, "talus/point/");
 }
 
 }  // namespace talus

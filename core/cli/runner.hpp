@@ -9,6 +9,7 @@
 
 #include "core/cli/exit_codes.hpp"
 #include "core/cli/program.hpp"
+#include "core/cli/study_cases.hpp"
 #include "core/cli/verdict.hpp"
 
 namespace talus::cli {
@@ -36,5 +37,14 @@ struct RunResult {
 
 /// Runs every case of a study into sub-folders, judges its expectations, writes results.json and results.csv.
 [[nodiscard]] RunResult run_study(Document const& document, std::string_view given, RunOptions const& options);
+
+/// Leads a material point along its path, for every combination of its axes; judges its expectations, writes
+/// results.json, provenance.json and pictures. Throws InputError, FileError.
+[[nodiscard]] RunResult run_point(Document const& document, std::string_view given, RunOptions const& options);
+
+/// The cases of a study without mistakes; makes its folder, with the document as given in it. Throws InputError with
+/// every mistake, FileError.
+[[nodiscard]] std::vector<StudyCase> begin_study(StudyPlan const& plan, Document const& document,
+                                                 std::string_view given, RunOptions const& options);
 
 }  // namespace talus::cli

@@ -34,7 +34,7 @@ ExitCode check(std::vector<std::string> const& files, bool json) {
       for (Mistake const& mistake : checked.mistakes) say(file, "mistake", mistake.text(file));
       for (Mistake const& warning : checked.warnings) say(file, "warning", warning.text(file));
       std::vector<std::string> further;
-      if (checked.mistakes.empty() && is_study(document.value)) {
+      if (checked.mistakes.empty() && (is_study(document.value) || is_point(document.value))) {
         StudyPlan const plan = program().study(document);
         further = study_mistakes(plan, cases_of(plan));
       }
@@ -71,6 +71,9 @@ void print_lines(std::string_view heading, std::vector<Explanation::Line> const&
 namespace {
 
 void refuse_study(Document const& document) {
+  if (is_point(document.value))
+    throw InputError(document.name +
+                     ": this is a material point, which is composed of its law alone; 'talus point' runs it");
   if (is_study(document.value))
     throw InputError(document.name +
                      ": this is a study; give one of its cases, as in runs/NAME/cases/case_000/case.json");

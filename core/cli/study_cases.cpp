@@ -34,7 +34,7 @@ Document document_of(StudyPlan const& plan, std::vector<nlohmann::json> const& v
       throw InputError(fmt::format("/axes/{}/path: '{}' leads nowhere in the base case", a, plan.axes[a].path));
     document[pointer] = values[a];
   }
-  document["title"] = fmt::format("{} ({})", document["title"].get<std::string>(), label);
+  if (!label.empty()) document["title"] = fmt::format("{} ({})", document["title"].get<std::string>(), label);
   return parse(document.dump(2), label);
 }
 

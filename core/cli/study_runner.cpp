@@ -31,9 +31,9 @@ std::string results_table(StudyPlan const& plan, nlohmann::json const& results) 
 
 }  // namespace
 
-RunResult run_study(Document const& document, std::string_view given, RunOptions const& options) {
-  StudyPlan const plan = program().study(document);
-  std::vector<StudyCase> const cases = cases_of(plan);
+std::vector<StudyCase> begin_study(StudyPlan const& plan, Document const& document, std::string_view given,
+                                   RunOptions const& options) {
+  std::vector<StudyCase> cases = cases_of(plan);
   std::string wrong;
   for (std::string const& mistake : study_mistakes(plan, cases))
     wrong += fmt::format("\n{}: {}", document.name, mistake);
@@ -42,7 +42,12 @@ RunResult run_study(Document const& document, std::string_view given, RunOptions
     throw FileError(fmt::format("{} is not empty; give another folder or --force", options.folder.string()));
   std::filesystem::create_directories(options.folder / "cases");
   io::write_atomically(options.folder / "study.json", given);
+  return cases;
+}
 
+RunResult run_study(Document const& document, std::string_view given, RunOptions const& options) {
+  StudyPlan const plan = program().study(document);
+  std::vector<StudyCase> const cases = begin_study(plan, document, given, options);
   RunResult total;
   nlohmann::json results = nlohmann::json::array();
   for (std::size_t k = 0; k < cases.size(); ++k) {
