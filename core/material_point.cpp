@@ -181,6 +181,7 @@ std::vector<Quantity> MaterialPoint<D>::quantities() const {
   list.push_back({"volume_strain", "ln J", "1", "logarithm of volume over initial volume; positive in dilation"});
   list.push_back({"work", "W", "J/m^3", "work of the stress since the start, per reference volume"});
   list.push_back({"elastic_energy", "Psi", "J/m^3", "stored energy per reference volume"});
+  list.push_back({"stress_ratio", "q/p", "1", "shear stress over pressure; 0 where there is no pressure"});
   list.push_back({"iterations", "k", "1", "iterations of the last search for a stress"});
   auto const add = [&](FieldInfo const& info) {
     list.push_back(
@@ -203,7 +204,9 @@ std::vector<double> MaterialPoint<D>::measure() const {
   material_->derive(batch(chunk_), 0, derived);
   Batch<D> one = batch(chunk_);
   one.particles = 1;
-  row.insert(row.end(), {std::log(derived[2][0]), work_, material_->elastic_energy(one), double(iterations_)});
+  double const p = derived[0][0], q = derived[1][0];
+  row.insert(row.end(), {std::log(derived[2][0]), work_, material_->elastic_energy(one), p > 0 ? q / p : 0,
+                         static_cast<double>(iterations_)});
   for (Lanes const& value : derived) row.push_back(value[0]);
   for (Column const& column : layout_.columns())
     if (column.offset > places_.strain && column.offset < places_.identity)

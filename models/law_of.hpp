@@ -1,9 +1,9 @@
 #pragma once
 /// A law of the catalogue as documents choose it.
 
-#include "core/material.hpp"
 #include "models/catalogue_kinematics.hpp"
 #include "models/chosen_law.hpp"
+#include "models/make.hpp"
 
 namespace talus {
 
@@ -17,8 +17,7 @@ class LawOf final : public Offered<ChosenLaw, L> {
     MaterialOfSomeSpace made;
     for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
       if (K::name == kinematics)
-        made = std::unique_ptr<Material<K::dimension>>(
-            std::make_unique<MaterialOf<K, L>>(name, density, this->parameters_));
+        made = make_material<K, L>(name, density, this->parameters_);
     });
     return made;
   }

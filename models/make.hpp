@@ -1,6 +1,6 @@
 #pragma once
-/// Stages out of the catalogue. They are instantiated one kernel and dimension a translation unit
-/// (transfer_unit.cpp.in), so that their costs to compile add instead of multiplying.
+/// Materials and stages out of the catalogue. They are instantiated one law, or one kernel and dimension, a translation
+/// unit (law_unit.cpp.in, transfer_unit.cpp.in), so that their costs to compile add instead of multiplying.
 
 #include <memory>
 #include <string>
@@ -9,6 +9,11 @@
 #include "core/stages.hpp"
 
 namespace talus {
+
+/// A material of a law in a kinematics.
+template <class Kinematics, class Law>
+std::unique_ptr<Material<Kinematics::dimension>> make_material(std::string name, double density,
+                                                               typename Law::Parameters const& parameters);
 
 /// Stages of a kernel, a transfer and an integrator in D dimensions. rubs: a wall takes its friction from the material.
 template <int D, class Kernel, class Transfer, class Integrator>

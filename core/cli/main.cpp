@@ -99,7 +99,7 @@ void add_running_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
   add_run_options(verb, a);
 
   verb = add_verb(app, chosen, "point", "Lead one material point along a path of motion and stress.",
-                  "talus point verification/studies/direct_shear.json -o runs/shear", [&a] { return point(a); });
+                  "talus point verification/points/direct_shear.json -o runs/shear", [&a] { return point(a); });
   verb->add_option("study", a.file, "Document of a material point")->required();
   add_output_options(verb, a);
   add_quiet_options(verb, a);

@@ -176,15 +176,31 @@ void describe(std::string const& name, bool json) {
   }
 }
 
-void cite(Document const& document, bool json) {
+namespace {
+
+/// The citations of a document and the names of the policies that it composes.
+std::pair<std::set<std::string>, std::set<std::string>> cited_by(Document const& document) {
+  if (is_point(document.value)) {
+    StudyPlan const plan = program().study(document);
+    return {{plan.cite.begin(), plan.cite.end()},
+            {plan.resolved_base["law"]["type"], plan.resolved_base["kinematics"]["type"]}};
+  }
   refuse_study(document);
   Composed const composed = program().compose(document);
-  std::set<std::string> sources(composed.plan.cite.begin(), composed.plan.cite.end());
+  std::set<std::string> names;
   for (auto const& line : composed.experiment->explain().policies)
-    for (PolicyKind const& kind : program().catalogue())
-      for (Alternative const& policy : kind.policies)
-        if (line.text.starts_with(std::string(policy.name) + ":") && !policy.source.empty())
-          sources.insert(std::string(policy.source) + "  [" + std::string(policy.name) + "]");
+    names.insert(line.text.substr(0, line.text.find(':')));
+  return {{composed.plan.cite.begin(), composed.plan.cite.end()}, names};
+}
+
+}  // namespace
+
+void cite(Document const& document, bool json) {
+  auto [sources, names] = cited_by(document);
+  for (PolicyKind const& kind : program().catalogue())
+    for (Alternative const& policy : kind.policies)
+      if (names.contains(std::string(policy.name)) && !policy.source.empty())
+        sources.insert(std::string(policy.source) + "  [" + std::string(policy.name) + "]");
   if (json)
     fmt::print("{}\n", nlohmann::json(sources).dump(2));
   else

@@ -11,7 +11,6 @@
 
 #include "core/cli/program.hpp"
 #include "models/catalogue.hpp"
-#include "models/chosen_law.hpp"
 #include "models/make.hpp"
 
 using namespace talus;
@@ -63,10 +62,7 @@ template <class K, class L, class T>
 Layout layout_of() {
   Scene<K::dimension> scene;
   scene.strain_size = Symmetric<double, typename K::Shape>::size;
-  Document const chosen = parse(R"({"type": ")" + std::string(L::name) + R"("})", "law");
-  Reader reader(chosen);
-  auto const law = OpenChoice<ChosenLaw>::read(chosen.value, reader, "");
-  scene.materials.push_back(std::get<std::unique_ptr<Material<K::dimension>>>(law->material(K::name, "only", 1000)));
+  scene.materials.push_back(make_material<K, L>("only", 1000, {}));
   scene.stages = make_stages<K::dimension, kernel::Quadratic, T, integrator::Usl>({}, false);
   return scene.layout();
 }

@@ -5,7 +5,7 @@ import unittest
 
 from talus_process import STUDIES, InFolder, changed, coarse_dam
 
-VERBS = ("run", "resume", "plot", "check", "explain", "schema", "list", "describe", "cite")
+VERBS = ("run", "resume", "point", "plot", "check", "explain", "schema", "list", "describe", "cite")
 DAM = STUDIES / "dam_break_22.json"
 
 
