@@ -1,0 +1,49 @@
+#pragma once
+/// Paths of deformation, and how an integrator follows one.
+
+#include <vector>
+
+#include "verification/reference/material_point.hpp"
+
+namespace talus::reference {
+
+/// A velocity gradient l [1/s] for a duration [s]. `turn` [rad/s]: its axes turn about z, l(t) = R(turn t) l R^T.
+struct Segment {
+  double duration;
+  Matrix l;
+  double turn;
+
+  [[nodiscard]] Matrix gradient(double t) const;
+};
+using Path = std::vector<Segment>;
+
+/// l with the three normal rates, and the simple shear l_xy.
+[[nodiscard]] Matrix velocity_gradient(double xx, double yy, double zz, double xy);
+
+/// Relative error that the integrators are asked to keep in a step.
+inline constexpr double relative_tolerance = 1e-13;
+
+/// A phase change is followed by more of them; more than this many in a segment are a mistake.
+inline constexpr int most_events = 1000;
+
+/// The rows at `times`, which do not decrease. An integrator has begin(segment, start of the segment, its end),
+/// advance(t) and row().
+template <class Integrator, class Segments>
+[[nodiscard]] std::vector<Row> follow(Integrator& integrator, Segments const& path, std::vector<double> const& times) {
+  std::vector<Row> rows;
+  auto next = times.begin();
+  double begin = 0;
+  for (auto const& segment : path) {
+    double const end = begin + segment.duration;
+    integrator.begin(segment, begin, end);
+    for (; next != times.end() && *next <= end; ++next) {
+      if (*next > begin) integrator.advance(*next);
+      rows.push_back(integrator.row());
+    }
+    integrator.advance(end);
+    begin = end;
+  }
+  return rows;
+}
+
+}  // namespace talus::reference
