@@ -1,6 +1,7 @@
 #pragma once
 /// Paths of deformation, and how an integrator follows one.
 
+#include <stdexcept>
 #include <vector>
 
 #include "verification/reference/material_point.hpp"
@@ -26,7 +27,7 @@ inline constexpr double relative_tolerance = 1e-13;
 /// A phase change is followed by more of them; more than this many in a segment are a mistake.
 inline constexpr int most_events = 1000;
 
-/// The rows at `times`, which do not decrease. An integrator has begin(segment, start of the segment, its end),
+/// The rows at `times`, which do not decrease and lie within the path. An integrator has begin(segment, start of the segment, its end),
 /// advance(t) and row().
 template <class Integrator, class Segments>
 [[nodiscard]] std::vector<Row> follow(Integrator& integrator, Segments const& path, std::vector<double> const& times) {
@@ -43,6 +44,7 @@ template <class Integrator, class Segments>
     integrator.advance(end);
     begin = end;
   }
+  if (next != times.end()) throw std::invalid_argument("a row is asked for after the end of the path");
   return rows;
 }
 
