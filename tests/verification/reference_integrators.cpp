@@ -69,11 +69,11 @@ BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_rate_independent_cam_clay) {
 }
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_the_consistent_mu_of_I_law) {
-  compare(&mu_i, support::strain_paths(0.1), {0, 0.1, 0.3});
+  compare(&mu_i, support::strain_paths(0.3), {0, 0.1, 0.3});
 }
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_the_other_viscous_cam_clay_laws) {
-  auto const paths = support::strain_paths(0.1);
+  auto const paths = support::strain_paths(0.3);
   auto const perzyna = [](Elasticity const& e, double beta) {
     return cam_clay_perzyna(e, {0.4, beta}, soft(), {0.02, 0.7});
   };
