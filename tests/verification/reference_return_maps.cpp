@@ -45,7 +45,7 @@ std::vector<Recorded> const recorded{
     {{2000, 1500, -0.06}, 0, 1477.291224, 355.4786468, -0.06054361713, 489.5547344, 1508.953692, 350.9188765},
 };
 
-/// Coaxial shear at the rate `shear` [1/s] with the rate of volume `volume` [1/s] for `time` [s], from an isotropic state.
+/// Coaxial shear at the rate `shear` [1/s] with the rate of volume `volume` [1/s] for `time` [s], from isotropic p_0.
 struct Course {
   double p_0, shear, volume, time;
 };
@@ -147,6 +147,35 @@ BOOST_AUTO_TEST_CASE(a_projection_is_on_the_surface_along_its_normal) {
       // plastic strains: (p - p_tr)/K of volume, (q_tr - q)/G of shear; their ratio is -y_p to y_q
       Digits const across = (m.p - trial.p) / K * 2 * m.q + (trial.q - m.q) / G * y_p;
       BOOST_TEST(static_cast<double>(abs(across) * G / (p_c * p_c)) < 1e-25);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(viscous_steps_satisfy_the_laws_they_discretise) {
+  double const dt = 2.5e-5;
+  auto const m = glass();
+  Perzyna const v{0.02, 0.7};
+  for (auto const& r : recorded)
+    for (auto const& e : {elastic(2), elastic(3)}) {
+      CamClay const law{e, {m.mu_1, r.beta}, soft(), implicit_hardening};
+      auto const trial = wide(r.trial);
+      auto const on_dynamic_ellipse = [&](StressOf<Digits> const& end, auto rate, bool consistent) {
+        Digits const p_c = strength<Digits>(law.hardening, end.eps_V, e.K()), P = end.p + r.beta * p_c;
+        Digits const S = sqrt(Digits((p_c - end.p) * P)), mu = end.q / S, gamma_dt = (trial.q - end.q) / e.G();
+        Digits const volume = gamma_dt * mu * ((1 - Digits(r.beta)) * p_c - 2 * end.p) / (2 * S);
+        BOOST_TEST(static_cast<double>(abs(rate(mu, P) * dt / gamma_dt - 1)) < 1e-25);
+        BOOST_TEST(static_cast<double>(abs(end.eps_V - trial.eps_V - (end.p - trial.p) / e.K())) < 1e-40);
+        if (consistent) BOOST_TEST(static_cast<double>(abs(volume - (end.eps_V - trial.eps_V)) / gamma_dt) < 1e-25);
+      };
+      auto const mu_i = [&](Digits const& mu, Digits const& P) {
+        return Digits(m.Q() * sqrt(P) * (mu - m.mu_1) / (m.mu_2 - mu));
+      };
+      auto const perzyna = [&](Digits const& mu, Digits const&) {
+        return Digits((pow(Digits(mu / m.mu_1), Digits(1 / Digits(v.s))) - 1) / v.t_v);
+      };
+      on_dynamic_ellipse(cam_clay_consistent(law, m, trial, dt), mu_i, true);
+      on_dynamic_ellipse(cam_clay_consistent(law, v, trial, dt), perzyna, true);
+      on_dynamic_ellipse(cam_clay_two_stage(law, m, trial, dt), mu_i, false);
+      on_dynamic_ellipse(cam_clay_two_stage(law, v, trial, dt), perzyna, false);
     }
 }
 

@@ -24,9 +24,10 @@ struct PressureAndShear {
 [[nodiscard]] PressureAndShear constant_volume_critical_state(double K, Ellipse const&, ExponentialStrength const&,
                                                               double p_i);
 
-/// mu(I) at critical state, D(p) = 0, under coaxial shear at the rate `shear_rate` [1/s] and constant volume, so that p,
-/// S and P stay. x = q/S starts at mu_1 at t = 0; a = Q sqrt(P), x_inf = mu(I) = (shear_rate mu_2 + a mu_1)/(shear_rate + a),
+/// mu(I) at critical state, 2 p = (1 - beta) p_c, under coaxial shear at the rate `shear_rate` [1/s] and constant
+/// volume, so that p, S and P stay. x = q/S starts at mu_1 at t = 0; a = Q sqrt(P):
 ///
+///   x_inf = mu(I) = (shear_rate mu_2 + a mu_1)/(shear_rate + a)
 ///   G (shear_rate - a (x - mu_1)/(mu_2 - x)) = S x'
 ///   t = S/(G (shear_rate + a)) [(x - mu_1) - (mu_2 - x_inf) ln((x_inf - x)/(x_inf - mu_1))]                       (3)
 ///   x_inf - x = (mu_2 - x_inf) W0(u exp(u - k t)),  u = (x_inf - mu_1)/(mu_2 - x_inf),

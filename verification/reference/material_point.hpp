@@ -31,8 +31,8 @@ struct Row {
 ///
 ///   h = (b^e - I)/2,   h' = D + l h + h l^T - D^P (I + 2 h)                                                       (1)
 ///
-/// which is b^e' = l b^e + b^e l^T - 2 D^P b^e for a coaxial D^P. Stresses are small beside the moduli: b^e itself would
-/// lose four digits. eps = ln(I + 2 h)/2 by the spectral decomposition of h.
+/// which is b^e' = l b^e + b^e l^T - 2 D^P b^e for a coaxial D^P. Stresses are small beside the moduli: b^e itself
+/// would lose four digits. eps = ln(I + 2 h)/2 by the spectral decomposition of h.
 inline constexpr int coordinates = 7;
 using Coordinates = std::array<double, coordinates>;
 

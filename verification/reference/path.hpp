@@ -24,11 +24,11 @@ using Path = std::vector<Segment>;
 /// Relative error that the integrators are asked to keep in a step.
 inline constexpr double relative_tolerance = 1e-13;
 
-/// A phase change is followed by more of them; more than this many in a segment are a mistake.
+/// More changes between elastic and plastic than this in a segment are a mistake.
 inline constexpr int most_events = 1000;
 
-/// The rows at `times`, which do not decrease and lie within the path. An integrator has begin(segment, start of the segment, its end),
-/// advance(t) and row().
+/// The rows at `times`, which do not decrease and lie within the path; at the end of a segment the row is of that
+/// segment. An integrator has begin(segment, start of the segment, its end), advance(t) and row().
 template <class Integrator, class Segments>
 [[nodiscard]] std::vector<Row> follow(Integrator& integrator, Segments const& path, std::vector<double> const& times) {
   std::vector<Row> rows;

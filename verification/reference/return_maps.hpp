@@ -10,8 +10,8 @@ namespace talus::reference {
 /// Fifty decimal digits.
 using Digits = boost::multiprecision::cpp_bin_float_50;
 
-/// Before a step: trial stress and the plastic volumetric strain at its start. After: stress and strain at its end. p, q
-/// [Pa] and eps_V [1] as in Elasticity and Hardening.
+/// Before a step: trial stress and the plastic volumetric strain at its start. After: stress and strain at its end.
+/// p, q [Pa] and eps_V [1] as in Elasticity and Hardening.
 template <class T>
 struct StressOf {
   T p, q, eps_V;
@@ -39,8 +39,8 @@ struct CamClay {
 template <class T>
 [[nodiscard]] StressOf<T> cam_clay_projection(CamClay const&, StressOf<T> const& trial);
 
-/// Two stages: p and eps_V of the projection, then the shear stress alone is viscous. With q = q_tr - G dt gamma, and S, P
-/// at the projected pressure and the p_c of the search,
+/// Two stages: p and eps_V of the projection, then the shear stress alone is viscous. With q = q_tr - G dt gamma, and
+/// S, P at the projected pressure and the p_c of the search (explicit: that of the start of the step),
 ///
 ///   mu(I):    (L - z)(O - z) = R z,  0 <= z <= min(O, L);  q = mu_1 S + z,  O = q_tr - mu_1 S,                    (3)
 ///             L = (mu_2 - mu_1) S,  R = G dt Q sqrt(P);  the slope of the ellipse is mu_1
