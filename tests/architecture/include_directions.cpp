@@ -39,6 +39,8 @@ std::string own_fault(Source const& source, std::string const& target, std::vect
   std::string const from = first_folder(source.path), to = first_folder(target);
   if (rank(to) < 0) return wrong(source, target, "own files are named from the root, as in core/tensor.hpp");
   if (to != from && rank(to) >= rank(from)) return wrong(source, target, from + " must not know " + to);
+  if (is_below(source.path, "verification/reference") && !is_below(target, "verification/reference"))
+    return wrong(source, target, "the truth shares no code with the solver");
   if (to != "models" || from != "models" || folder_of(source.path) == "models") return "";
   auto const kind_end = source.path.find('/', from.size() + 1);
   if (!is_below(target, source.path.substr(0, kind_end))) return wrong(source, target, "policies meet through fields");
@@ -122,6 +124,8 @@ BOOST_AUTO_TEST_CASE(an_include_against_the_direction_is_found) {
   BOOST_TEST(count("core/grid.hpp", {"#include \"models/laws/one.hpp\""}) == 1u);
   BOOST_TEST(count("models/case.hpp", {"#include \"verification/exact/bagnold.hpp\""}) == 1u);
   BOOST_TEST(count("verification/order.hpp", {"#include \"tests/support/mutants.hpp\""}) == 1u);
+  BOOST_TEST(count("verification/reference/path.hpp", {"#include \"core/tensor.hpp\""}) == 1u);
+  BOOST_TEST(count("verification/order.hpp", {"#include \"core/tensor.hpp\""}) == 0u);
   BOOST_TEST(count("benchmarks/stages.cpp", {"#include \"tests/support/mutants.hpp\""}) == 1u);
   BOOST_TEST(count("core/grid.hpp", {"#include \"tensor.hpp\"", "#include \"../models/case.hpp\""}) == 2u);
   BOOST_TEST(count("core/grid.hpp", {"#include \"core/build_info.hpp\""}) == 1u);
