@@ -8,15 +8,15 @@ blue = '#0072b2'; red = '#d55e00'; green = '#009e73'; pink = '#cc79a7'; amber = 
 array colour[5] = [blue, red, green, pink, amber]
 series(study, k) = sprintf('%s/%s/cases/case_%03d/series.csv', runs, study, k)
 # columns by name; a header reads `name [unit]`
-last(file, name) = system(sprintf("awk -F, 'NR==1{for(i=1;i<=NF;i++)if($i~/^%s \\[/)c=i} END{print $c}' %s", name, file)) + 0
+last(file, name) = system(sprintf("awk -F, 'NR==1{for(i=1;i<=NF;i++)if($i~/^%s \\[/)c=i} END{printf(\"%%.15f\",$c)}' %s", name, file)) + 0
 M = 0.381863; mu_2 = 0.643468; I_0 = 0.279
 ellipse(p, p_c, beta) = M*sqrt((p_c - p)*(p + beta*p_c))
-set samples 2001
+set samples 601
 
 # 1: yield ellipses, critical-state lines, and where straining ends
 set output 'docs/theory/figure_1.svg'
 set xlabel 'pressure p (Pa)'; set ylabel 'shear stress q (Pa)'
-set xrange [-35:110]; set yrange [0:32]; set key top left
+set xrange [-35:115]; set yrange [0:38]; set key inside top right width -2
 array beta[2] = [0.0, 0.3]
 $ends << EOD
 EOD
@@ -27,12 +27,12 @@ do for [b=0:1] { do for [k=0:10] {
 } }
 unset print
 plot for [b=1:2] (x >= -beta[b]*100 && x <= 100 ? ellipse(x, 100, beta[b]) : 1/0) lw 2 lc rgb colour[b] title sprintf('yield ellipse, {/Symbol b} = %.1f', beta[b]), \
-     for [b=1:2] (x > 0 ? M*(1 + beta[b])/(1 - beta[b])*x : 1/0) lw 1.5 dt 2 lc rgb colour[b] title 'critical states', \
-     for [b=0:1] $ends using ($1 == b ? $2 : 1/0):3 with points pt 7 ps 0.9 lc rgb colour[b+1] title 'ends of strain paths'
+     for [b=1:2] (x > 0 ? M*(1 + beta[b])/(1 - beta[b])*x : 1/0) lw 1.5 dt 2 lc rgb colour[b] title (b == 1 ? 'critical states' : ''), \
+     for [b=0:1] $ends using ($1 == b ? $2 : 1/0):3 with points pt 7 ps 0.9 lc rgb colour[b+1] title (b == 0 ? 'ends of strain paths' : '')
 
 # 2: friction in steady shear
 set output 'docs/theory/figure_2.svg'
-set xlabel 'inertial number I'; set ylabel 'q/p'; set xrange [0:2.6]; set yrange [0.3:1.25]; set key outside right
+set xlabel 'inertial number I'; set ylabel 'q/p'; set xrange [0:2.6]; set yrange [0.3:1.25]; set key inside bottom right
 array cohesion[4] = [0.0, 0.1, 0.2, 0.3]
 omega(b) = (1 + b)/(1 - b)
 mu(I, b) = omega(b)*(M + (mu_2 - M)/(sqrt(omega(b))*I_0/I + 1))
@@ -50,22 +50,22 @@ plot for [b=1:4] (x > 0 ? mu(x, cohesion[b]) : 1/0) lw 2 lc rgb colour[b] title 
 
 # 3: one step of the two-stage map
 set output 'docs/theory/figure_3.svg'
-set xlabel 'pressure p (Pa)'; set ylabel 'shear stress q (Pa)'; set xrange [0:2300]; set yrange [0:1600]; set key top left
-first = series('return_map', 0); slow = series('return_map', 5); middle = series('return_map', 3)
+set xlabel 'pressure p (Pa)'; set ylabel 'shear stress q (Pa)'; set xrange [0:1500]; set yrange [0:760]; set key inside top left
+first = series('return_map', 0); slow = series('return_map', 5); middle = series('return_map', 2)
 p1 = last(slow, 'pressure'); q_y = last(slow, 'shear_stress'); p_c1 = last(slow, 'compressive_strength')
 q1 = last(middle, 'shear_stress')
-set arrow 1 from 2000,1500 to p1,q_y lc rgb '#777777' lw 1.5 dt 2 filled
+set arrow 1 from 1400,700 to p1,q_y lc rgb '#777777' lw 1.5 dt 2 filled
 set arrow 2 from p1,q_y to p1,q1 lc rgb red lw 2 filled
-plot (x <= 1500 ? ellipse(x, 1500, 0) : 1/0) lw 2 lc rgb '#999999' title 'surface before the step', \
+plot (x <= 1000 ? ellipse(x, 1000, 0) : 1/0) lw 2 lc rgb '#999999' title 'surface before the step', \
      (x <= p_c1 ? ellipse(x, p_c1, 0) : 1/0) lw 2 lc rgb blue title 'surface after the step', \
-     '+' using (2000):(1500) every ::0::0 with points pt 6 ps 1.4 lc rgb 'black' title 'trial stress', \
+     '+' using (1400):(700) every ::0::0 with points pt 6 ps 1.4 lc rgb 'black' title 'trial stress', \
      '+' using (p1):(q_y) every ::0::0 with points pt 7 ps 1.1 lc rgb blue title 'stage 1: without viscosity', \
      '+' using (p1):(q1) every ::0::0 with points pt 7 ps 1.1 lc rgb red title sprintf('stage 2: dt = %.0e s', last(middle, 'time'))
 unset arrow
 
 # 25: direct shear
 set output 'docs/theory/figure_25.svg'
-set xlabel 'shear strain'; set ylabel 'volume strain'; set xrange [0:0.3]; set yrange [-0.016:0.016]; set key outside right
+set xlabel 'shear strain'; set ylabel 'volume strain'; set xrange [0:0.42]; set yrange [-0.016:0.016]; set key inside center right
 array strength[5] = [0.5, 1, 2, 4, 8]
-plot for [k=0:4] series('direct_shear', k) skip 1 using 5:($14) with lines lw 2 lc rgb colour[k+1] title sprintf('p_c^0 = %g {/Symbol s}_n', strength[k+1]), \
-     for [k=0:4] log(strength[k+1]/2)/100 lw 1 dt 3 lc rgb colour[k+1] title (k == 0 ? 'ln(p_c^0/2{/Symbol s}_n)/{/Symbol x}' : '')
+plot for [k=0:4] series('direct_shear', k) skip 1 every 25 using 5:14 with lines lw 2 lc rgb colour[k+1] title sprintf('p_c^0 = %g {/Symbol s}_n', strength[k+1]), \
+     for [k=0:4] log(strength[k+1]/2)/100 lw 1 dt 3 lc rgb colour[k+1] title (k==0 ? 'ln(p_c^0/2{/Symbol s}_n)/{/Symbol x}' : '')
