@@ -15,15 +15,6 @@ struct CamClayPerzyna : ModifiedCamClay<ExponentialHardening, Perzyna<CriticalSl
                                     source = "Perzyna (1966), doi:10.1016/S0065-2156(08)70009-7";
   using ModifiedCamClay::ModifiedCamClay;
 };
-/// Perzyna's overstress, volume and shear in one solve.
-struct CamClayPerzynaConsistent : ModifiedCamClay<ExponentialHardening, Perzyna<CriticalSlope>, Consistent> {
-  static constexpr std::string_view name = "cam_clay_perzyna_consistent",
-                                    title = "Viscous Cam-Clay after Perzyna, coupled map, exponential hardening",
-                                    source =
-                                        "after Perzyna (1966), doi:10.1016/S0065-2156(08)70009-7; the coupled map is "
-                                        "derived here";
-  using ModifiedCamClay::ModifiedCamClay;
-};
 /// Duvaut and Lions, in volume and shear.
 struct CamClayDuvautLions : ModifiedCamClay<ExponentialHardening, DuvautLions<CriticalSlope>> {
   static constexpr std::string_view name = "cam_clay_duvaut_lions",
@@ -33,6 +24,6 @@ struct CamClayDuvautLions : ModifiedCamClay<ExponentialHardening, DuvautLions<Cr
                                         "doi:10.1002/nme.1620261003";
   using ModifiedCamClay::ModifiedCamClay;
 };
-static_assert(Law<CamClayPerzyna> && Law<CamClayPerzynaConsistent> && Law<CamClayDuvautLions>);
+static_assert(Law<CamClayPerzyna> && Law<CamClayDuvautLions>);
 
 }  // namespace talus::law

@@ -49,7 +49,7 @@ struct FlowedStress {
 /// doi:10.1017/jfm.2024.643.
 template <class Hardening, class Rate>
 struct ConsistentMap {
-  static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
+  static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step; met by far
 
   Ellipse const& surface;
   Hardening const& hardening;
@@ -68,33 +68,56 @@ struct ConsistentMap {
     T const side = select<T>(tr.p < surface.centre(tr.p_c), -1.0, 1.0);
     auto const residual = [&](T p) -> WithDerivative<T> {
       using D = Dual<1, T>;
-      CamClayTrial<D> const trial{D(tr.p), D(tr.q), D(tr.eps_V), D(tr.p_c)};
-      auto const at = evaluate(trial, D::variable(p, 0), D(side), D(dt));
+      auto const at = evaluate(dual(tr), D::variable(p, 0), D(side), D(dt));
       D const w = at.q_n / at.mu, r = sqrt(D(w * w + at.x * at.x)) - surface.half_width(at.point.p_c);  // (5)
       // a slope that is no number makes the search halve its bracket
       return {r.value, select<T>(is_finite(r.derivative(0)), r.derivative(0), 0.0)};
     };
     T const inner = select<T>(plastic, surface.centre(tr.p_c), tr.p);
     T const start = inner + T(0.5) * (tr.p - inner);
-    T const p = bracketed_newton<T>(residual, inner, tr.p, start, T(tolerance) * tr.p_c).x;
+    T const p = bracketed_newton<T>(residual, inner, tr.p, start, T(1e-3 * tolerance) * tr.p_c).x;
 
+    // near cap and tip S follows from p with half its digits, and from q_n = mu S with all of them: the smaller dS/dp
     auto const at = evaluate(tr, p, side, dt);
-    // near cap and tip S follows from p with half its digits, and from the flow rule with all of them
-    T const S = at.point.S, drop = T(m.G / m.K) / (at.mu * at.mu) * side * (tr.p - p), sum = at.x + drop;
-    T const by_flow = min(T(at.q_n / at.mu), T(S + T(2 * std::sqrt(tolerance)) * at.point.p_c));
-    auto const flows = S * S * (sum + T(m.G / m.K) / (at.mu * at.mu) * at.x) < at.x * at.x * sum;
-    return {at.point.p, min(tr.q, T(at.mu * select<T>(flows, by_flow, S)))};
+    T const S = at.point.S, kappa = T(m.G / m.K) / (at.mu * at.mu), sum = at.x + kappa * side * (tr.p - p);
+    auto const by_rule = S * S * (sum + kappa * at.x) < at.x * at.x * sum;
+    EllipsePoint<T> point = at.point;
+    point.S = select<T>(by_rule, from_flow_rule(tr, at, T(side * (tr.p - p)), dt, plastic && by_rule), S);
+    return {point.p, min(tr.q, T(rate.friction_of_step(tr.q, point, m.G, dt) * point.S))};
   }
 
  private:
+  template <Scalar T>
+  [[nodiscard]] static CamClayTrial<Dual<1, T>> dual(CamClayTrial<T> const& tr) {
+    return {tr.p, tr.q, tr.eps_V, tr.p_c};
+  }
   template <Scalar T>
   [[nodiscard]] At<T> evaluate(CamClayTrial<T> const& tr, T p, T side, T dt) const {
     T const p_c = hardening.strength(T(tr.eps_V + T(1 / m.K) * (p - tr.p)), m.K);  // (3)
     EllipsePoint<T> const point = surface.at(p, p_c);
     T const x = max(T(0.0), T(side * (p - surface.centre(p_c))));
     T const mu = rate.friction_of_step(tr.q, point, m.G, dt);  // (1)
-    T const drop = T(m.G / m.K) / (mu * mu) * side * (tr.p - p);
-    return {point, x, mu, T(tr.q * x / (x + drop + T(1e-300)))};  // (4)
+    return {point, x, mu, flow_rule(tr.q, x, T(side * (tr.p - p)), mu)};
+  }
+  /// (4), where `way` is |p_tr - p|.
+  template <Scalar T>
+  [[nodiscard]] T flow_rule(T q_tr, T x, T way, T mu) const {
+    return q_tr * x / (x + T(m.G / m.K) / (mu * mu) * way + T(1e-300));
+  }
+  /// S of q_n(mu) = mu S at a given pressure: mu S rises with S, and q_n falls, so that there is one.
+  template <Scalar T, class Condition>
+  [[nodiscard]] T from_flow_rule(CamClayTrial<T> const& tr, At<T> const& at, T way, T dt, Condition wanted) const {
+    auto const miss = [&](T S) -> WithDerivative<T> {
+      using D = Dual<1, T>;
+      EllipsePoint<D> const point{D(at.point.p), D(at.point.p_c), D(at.point.P), D::variable(S, 0)};
+      D const mu = rate.friction_of_step(D(tr.q), point, m.G, D(dt));
+      D const off = mu * point.S - flow_rule(D(tr.q), D(at.x), D(way), mu);
+      return {off.value, off.derivative(0)};
+    };
+    T const most = at.point.S + T(2 * std::sqrt(tolerance)) * at.point.p_c;
+    T const below = select<T>(wanted, 0.0, at.point.S), above = select<T>(wanted, most, at.point.S);
+    T const start = min(above, max(below, min(T(at.q_n / at.mu), at.point.S)));
+    return bracketed_newton<T>(miss, below, above, start, T(1e-200)).x;
   }
 };
 

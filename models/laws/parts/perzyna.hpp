@@ -55,16 +55,6 @@ struct Perzyna : Slope {
     T const z = O * q_y * T(t_v) / (T(G) * dt + q_y * T(t_v) + T(least_stress));  // (4)
     return q_y + (s == 1 ? z : overstress(q_y, O, z, G, dt));
   }
-  /// q/S of (1), also where S and with it q vanish [1].
-  template <Scalar T>
-  [[nodiscard]] T friction_of_step(T q_tr, EllipsePoint<T> const& at, double G, T dt) const {
-    T const q_y = T(this->slope()) * at.S, O = max(T(0.0), T(q_tr - q_y));
-    if (s == 1)  // (4)
-      return T(this->slope()) * (T(1.0) + min(T(most), T(O * T(t_v) / (T(G) * dt + q_y * T(t_v) + T(least_stress)))));
-    T const q = relax(q_tr, at, G, dt), factor = T(1.0) + rate_factor(G, dt) * max(T(0.0), T(q_tr - q));
-    T const power = min(T(most), exp(T(T(s) * log(factor))));
-    return select<T>(q > T(1e-6) * q_tr, q / max(at.S, T(least_stress)), T(this->slope()) * power);
-  }
   template <Scalar T>
   [[nodiscard]] T share(T /*trial*/, T flowed, T /*dt*/) const {
     return flowed;
@@ -83,8 +73,6 @@ struct Perzyna : Slope {
   }
 
  private:
-  static constexpr double most = 1e90;  ///< of q/q_y that a step can ask for
-
   /// r of (3) [1/Pa], finite also where dt is 0.
   template <Scalar T>
   [[nodiscard]] T rate_factor(double G, T dt) const {
