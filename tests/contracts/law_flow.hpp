@@ -71,11 +71,14 @@ std::string viscous_flow_law_is_satisfied() requires(L::rate_dependent) {
   std::string broken = in_every_shape<L>([&]<class Shape>(Step<L, Shape> const& s) -> std::string {
     if (!s.law.viscous() || (is_brittle<L> && support::largest(s.result) == 0)) return {};
     double const slip = invariants(s.law, s.trial).q - invariants(s.law, s.result).q, made = slip / (s.law.G * s.dt);
+    double doubt = s.yield_slack();  // of p: rounding, and where the search for it ends
+    if constexpr (L::Derived::template holds<field::CompressiveStrength>)
+      doubt += 1e-12 * s.law.derive(s.result, s.surface())[field::compressive_strength];
     auto const rate = [&](double stretch) {
       Record<double, typename L::State> state = s.surface();
       for (double& value : state.values) value += stretch * (std::abs(value) + support::largest(s.trial));
       auto strain = s.result + stretch * deviator(s.result);
-      double const volume = s.yield_slack() / s.law.template volumetric_modulus<Shape>();  // of p near cap and tip
+      double const volume = doubt / s.law.template volumetric_modulus<Shape>();
       strain = strain + isotropic<Shape>(stretch * support::largest(s.trial) + std::copysign(volume, stretch));
       return s.law.derive(strain, state)[field::shear_rate];
     };
