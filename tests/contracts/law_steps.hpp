@@ -113,7 +113,9 @@ struct Step {
     double largest = std::abs(law.yield(Strain{}, surface()));  // the largest stress that the yield surface knows
     if constexpr (L::Derived::template holds<field::CompressiveStrength>)
       largest = std::max(largest, law.derive(result, surface())[field::compressive_strength]);
-    return 64 * eps * largest + slack() + std::abs(law.yield(result, nudged) - here) +
+    // at a frozen strength the step to a flat tip may be the last one of the search, which ends within 1e-12 p_c
+    double const searched = hardens_explicitly<L> ? 1e-12 : 64 * eps;
+    return searched * largest + slack() + std::abs(law.yield(result, nudged) - here) +
            std::abs(law.yield(stretched, surface()) - here);
   }
   /// True where flow that went on by itself would raise the yield function: a strength that falls faster than the
