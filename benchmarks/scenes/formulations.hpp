@@ -11,6 +11,7 @@
 #include "models/kernels/quadratic.hpp"
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/kinematics/solid.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/drucker_prager.hpp"
 #include "models/laws/hencky.hpp"
 #include "models/laws/modified_cam_clay.hpp"

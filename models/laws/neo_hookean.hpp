@@ -18,6 +18,11 @@ namespace talus::law {
 /// In reduced plane strain b is the 2x2 tensor of the plane. With lambda < 0 (nu < 0) Psi is not convex at large
 /// strain.
 ///
+/// There is no plastic law with it: in (2) pressure and shear stress both depend on volume and deviator, and the deviators
+/// of tau and eps are not in proportion, so that a return map would be a solve for three principal strains. The strains
+/// that grains, soils and snow carry elastically are of 1e-2 and less, where (2) is the Hencky law to their square: a
+/// product would cost more and say the same.
+///
 /// Source: Simo & Pister (1984), doi:10.1016/0045-7825(84)90062-8.
 struct NeoHookeanElasticity : Moduli {
   using Moduli::Moduli;

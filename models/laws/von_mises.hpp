@@ -19,7 +19,7 @@ namespace talus::law {
 struct VonMises : HenckyElasticity {
   static constexpr std::string_view name = "von_mises", title = "Von Mises, perfectly plastic",
                                     source = "von Mises (1913); Wilkins (1964)";
-  static constexpr bool rate_dependent = false, dissipative = true;
+  static constexpr bool rate_dependent = false, dissipative = true, associated = true;
   using State = Fields<>;
   using Derived = Fields<>;
 

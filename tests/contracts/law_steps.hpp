@@ -51,6 +51,29 @@ std::vector<typename L::Parameters> corners() {
   return all;
 }
 
+/// What a law may state of itself beside what every law states; each is measured by a contract.
+///
+/// The plastic flow is normal to a level of `potential`, or of `yield` where the law has none.
+template <class L>
+inline constexpr bool is_associated = requires {
+  requires L::associated;
+};
+/// The stress after a step lies on the surface of the strength before it.
+template <class L>
+inline constexpr bool hardens_explicitly = requires {
+  requires L::hardens_explicitly;
+};
+/// Failure in tension leaves no stress, and not one on the surface.
+template <class L>
+inline constexpr bool is_brittle = requires {
+  requires L::brittle;
+};
+/// Before it projects, the law gives plastic strain back to the elastic strain.
+template <class L>
+concept Recovers = requires(L const law, Symmetric<double, shape::Solid> eps, Record<double, typename L::State> state) {
+  law.recover(eps, state);
+};
+
 /// A trial strain, the state before the step, and what the law makes of them.
 template <class L, class Shape>
 struct Step {
@@ -64,6 +87,16 @@ struct Step {
   State after = before;
   Strain result = law.project(trial, after, dt);
 
+  /// The state in which the yield surface is as the step saw it.
+  [[nodiscard]] State const& surface() const {
+    if constexpr (hardens_explicitly<L>)
+      return before;
+    else
+      return after;
+  }
+  /// y after the step [Pa].
+  [[nodiscard]] double yield() const { return law.yield(result, surface()); }
+
   /// What rounding may do to a stress of this step [Pa].
   [[nodiscard]] double slack() const {
     double const size = std::max(support::largest(trial), support::largest(result));
@@ -72,16 +105,18 @@ struct Step {
   /// What rounding of the strain and of the state may do to the yield function [Pa].
   [[nodiscard]] double yield_slack() const {
     double const size = support::largest(trial);
-    State nudged = after;
+    State nudged = surface();
     for (double& value : nudged.values) value += 64 * eps * (std::abs(value) + size);
     Strain stretched = result;
     for (double& entry : stretched.entries) entry += 64 * eps * size;
-    double const here = law.yield(result, after);
-    double surface = std::abs(law.yield(Strain{}, after));  // the largest stress that the yield surface knows
+    double const here = yield();
+    double largest = std::abs(law.yield(Strain{}, surface()));  // the largest stress that the yield surface knows
     if constexpr (L::Derived::template holds<field::CompressiveStrength>)
-      surface = std::max(surface, law.derive(result, after)[field::compressive_strength]);
-    return 64 * eps * surface + slack() + std::abs(law.yield(result, nudged) - here) +
-           std::abs(law.yield(stretched, after) - here);
+      largest = std::max(largest, law.derive(result, surface())[field::compressive_strength]);
+    // at a frozen strength the step to a flat tip may be the last one of the search, which ends within 1e-12 p_c
+    double const searched = hardens_explicitly<L> ? 1e-12 : 64 * eps;
+    return searched * largest + slack() + std::abs(law.yield(result, nudged) - here) +
+           std::abs(law.yield(stretched, surface()) - here);
   }
   /// True where flow that went on by itself would raise the yield function: a strength that falls faster than the
   /// stress does. There is no rest on such a surface.
@@ -117,7 +152,9 @@ void for_each_step(F&& f) {
       Symmetric<double, Shape> strain{};
       for (int k = 0; k < 8; ++k) {
         double const dt = std::pow(10, -8 + 6 * random.unit());
-        Step<L, Shape> const step{law, parameters, strain + random_strain<Shape>(random), state, dt};
+        auto trial = strain + random_strain<Shape>(random);
+        if constexpr (Recovers<L>) law.recover(trial, state);  // the contracts speak of what comes after
+        Step<L, Shape> const step{law, parameters, trial, state, dt};
         f(step);
         if (k % 2 == 0) std::tie(strain, state) = std::pair{step.result, step.after};
       }

@@ -12,7 +12,7 @@
 #include "models/kernels/quadratic.hpp"
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/kinematics/solid.hpp"
-#include "models/laws/modified_cam_clay.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/transfers/aflip.hpp"
 #include "models/transfers/apic.hpp"
 #include "models/transfers/pic.hpp"

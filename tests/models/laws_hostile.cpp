@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/type_list.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/drucker_prager.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/support/law_states.hpp"

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/support/law_states.hpp"
 #include "tests/support/material_point.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/dual.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/support/exact_cam_clay.hpp"
 #include "tests/support/law_states.hpp"

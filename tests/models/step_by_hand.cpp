@@ -17,7 +17,7 @@
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/kinematics/solid.hpp"
 #include "models/laws/hencky.hpp"
-#include "models/laws/modified_cam_clay.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/transfers/aflip.hpp"
 #include "models/transfers/apic.hpp"
 #include "models/transfers/flip.hpp"

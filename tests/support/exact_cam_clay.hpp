@@ -3,6 +3,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 
 namespace talus::support {

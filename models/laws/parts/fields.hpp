@@ -12,6 +12,11 @@ inline constexpr struct PlasticVolumetricStrain : ScalarField {
                                     meaning = "plastic part of ln J, positive in dilation";
 } plastic_volumetric_strain;
 
+inline constexpr struct PlasticShearStrain : ScalarField {
+  static constexpr std::string_view name = "plastic_shear_strain", symbol = "eps_dev^P", unit = "1",
+                                    meaning = "norm of the plastic deviatoric strain, summed over the steps";
+} plastic_shear_strain;
+
 inline constexpr struct CompressiveStrength : ScalarField {
   static constexpr std::string_view name = "compressive_strength", symbol = "p_c", unit = "Pa",
                                     meaning = "pressure of isotropic yield";

@@ -44,6 +44,26 @@ struct Strength {
   }
 };
 
+/// p_c = p_c0: perfectly plastic.
+struct NoHardening : Strength {
+  struct Parameters {
+    double p_c0 = 100;
+    static constexpr auto table() {
+      return std::tuple{parameter(&Parameters::p_c0, "p_c0", "p_c^0", "Pa", "compressive strength", positive)};
+    }
+  };
+  explicit NoHardening(Parameters const& p) : Strength({.p_c0 = p.p_c0, .xi = 0}) {}
+
+  template <Scalar T>
+  [[nodiscard]] T strength(T /*eps_V*/, double K) const {
+    return limited(T(p_c0), K);
+  }
+  template <Scalar T>
+  [[nodiscard]] T slope(T /*p_c*/, double /*K*/) const {
+    return T(0.0);
+  }
+};
+
 /// p_c = p_c0 exp(-xi eps_V^P).
 ///
 /// eps_V^P [1]: plastic volumetric strain, positive in dilation; K [Pa]: bulk modulus, for the range alone.
@@ -83,5 +103,38 @@ struct HyperbolicSineHardening : Strength {
     return where_free(T(-xi * sqrt(T(p_c * p_c + T(K * K)))), p_c, K);
   }
 };
+
+/// A strength that does not change during a step.
+template <Scalar T>
+struct FrozenStrength {
+  T p_c;
+  [[nodiscard]] T strength(T /*eps_V*/, double /*K*/) const { return p_c; }
+  [[nodiscard]] T slope(T /*p_c*/, double /*K*/) const { return T(0.0); }
+};
+
+/// Any hardening, taken explicitly: a step maps onto the surface of the strength before it, and the strength follows.
+///
+/// After the step the stress lies on the surface that was, and off the present one by what the strength changed, of
+/// first order in the step. The law says so by `hardens_explicitly`.
+template <class Hardening>
+struct Explicit : Hardening {
+  using Hardening::Hardening;
+};
+
+/// Whether a strength is frozen during a step.
+template <class Hardening>
+inline constexpr bool is_explicit = false;
+template <class Hardening>
+inline constexpr bool is_explicit<Explicit<Hardening>> = true;
+
+/// The strength as it is during a step that starts with p_c: the hardening itself, or p_c for good.
+template <class Hardening, Scalar T>
+[[nodiscard]] Hardening const& during_step(Hardening const& hardening, T /*p_c*/) {
+  return hardening;
+}
+template <class Hardening, Scalar T>
+[[nodiscard]] FrozenStrength<T> during_step(Explicit<Hardening> const& /*hardening*/, T p_c) {
+  return {p_c};
+}
 
 }  // namespace talus::law

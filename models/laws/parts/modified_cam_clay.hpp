@@ -1,30 +1,31 @@
 #pragma once
 
+#include <limits>
 #include <tuple>
 
 #include "core/law.hpp"
-#include "models/laws/parts/cam_clay_map.hpp"
+#include "models/laws/parts/coupling.hpp"
 #include "models/laws/parts/fields.hpp"
 #include "models/laws/parts/hardening.hpp"
 #include "models/laws/parts/hencky.hpp"
 #include "models/laws/parts/mu_i.hpp"
 #include "models/laws/parts/rate_independent.hpp"
+#include "models/laws/parts/slope.hpp"
 
 namespace talus::law {
 
 /// Modified Cam-Clay with cohesion: a hardening law times a rate law on the yield ellipse.
 ///
 ///   y(p, q) = q^2 - M^2 (p_c - p)(p + beta p_c) <= 0                      without viscosity                  (1)
-///   stage 1  (p_tr, q_tr) -> (p, q_y), eps_V^P += (p - p_tr)/K            Map, rate-independent              (2)
-///   stage 2  q_y -> q, q_y <= q <= q_tr                                   Rate, at the p and p_c of stage 1  (3)
+///   (p_tr, q_tr) -> (p, q),   eps_V^P += (p - p_tr)/K                     Coupling of volume and shear       (2)
 ///
 /// p, q [Pa]: pressure and shear stress of the Kirchhoff stress; p_c(eps_V^P) [Pa]: compressive strength, by Hardening.
-/// The rate of volume change in (2) is that of the whole overstress: with a viscous Rate the way to critical state
-/// depends on dt, critical state itself does not.
 /// Source: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643.
-template <class Hardening, class Rate, template <class> class Map = CamClayMap>
+template <class Hardening, class Rate, class Coupling = TwoStage<CamClayMap>>
 struct ModifiedCamClay : HenckyElasticity {
-  static constexpr bool rate_dependent = Rate::rate_dependent, dissipative = Rate::dissipative;
+  static constexpr bool rate_dependent = Rate::rate_dependent, dissipative = Coupling::template dissipative<Rate>;
+  static constexpr bool associated = Coupling::template associated<Rate>;
+  static constexpr bool hardens_explicitly = is_explicit<Hardening>;
   using State = Fields<field::PlasticVolumetricStrain>;
   using Derived = Unite<Fields<field::CompressiveStrength>, typename Rate::Derived>;
 
@@ -61,11 +62,12 @@ struct ModifiedCamClay : HenckyElasticity {
     auto const plastic = surface.excess(p_tr, q_tr, p_c) > T(0.0) && p_c < T(hardening.ceiling(K));  // (1)
     if (!any(plastic)) return trial;
 
-    auto const mapped = Map<Hardening>{surface, hardening, K, G}(p_tr, q_tr, eps_V, p_c, plastic);  // (2)
-    T const q = min(q_tr, rate.relax(q_tr, mapped.at, G, dt));                                      // (3)
+    auto const& hardens = during_step(hardening, p_c);
+    auto const [p, q] = Coupling::flow(surface, hardens, rate, Modulus{K, G}, CamClayTrial<T>{p_tr, q_tr, eps_V, p_c},
+                                       dt, plastic);  // (2)
 
-    eps_V = select<T>(plastic, eps_V + T(1 / K) * (mapped.at.p - p_tr), eps_V);
-    auto const admissible = strain(mapped.at.p, T(q / max(q_tr, T(least_stress))), dev);
+    eps_V = select<T>(plastic, eps_V + T(1 / K) * (p - p_tr), eps_V);
+    auto const admissible = strain(p, T(q / max(q_tr, T(least_stress))), dev);
     Symmetric<T, Shape> eps = trial;
     for (int k = 0; k < eps.size; ++k) eps[k] = select<T>(plastic, admissible[k], trial[k]);
     return eps;
@@ -84,9 +86,19 @@ struct ModifiedCamClay : HenckyElasticity {
     T const p_c = strength<Shape>(state);
     Record<T, Derived> derived;
     derived[field::compressive_strength] = p_c;
-    rate.derive(q, surface.at(p, p_c), derived);
+    rate.derive(q, reference(eps, state, p, p_c), G, derived);
     return derived;
   }
+
+  /// What associated viscous flow is normal to [1]: q/S, of which a level set is a dynamic ellipse.
+  template <Scalar T, class Shape>
+  [[nodiscard]] T potential(Symmetric<T, Shape> const& eps, Record<T, State> const& state) const {
+    if constexpr (!rate_dependent) return yield(eps, state);
+    auto const [p, q, dev] = split(eps);
+    return q / (surface.at(p, strength<Shape>(state)).S + T(least_stress));
+  }
+  /// Whether anything is viscous with these parameters.
+  [[nodiscard]] bool viscous() const requires rate_dependent { return rate.viscous(); }
 
   /// Friction coefficient, for walls that take it from the material.
   template <Scalar T, class Shape>
@@ -104,6 +116,19 @@ struct ModifiedCamClay : HenckyElasticity {
   template <class Shape, Scalar T>
   [[nodiscard]] T strength(Record<T, State> const& state) const {
     return hardening.strength(state[field::plastic_volumetric_strain], bulk<Shape>());
+  }
+
+ private:
+  /// The point of the ellipse that the flow law speaks of: at this pressure, or where flow without end would lead.
+  template <Scalar T, class Shape>
+  [[nodiscard]] EllipsePoint<T> reference(Symmetric<T, Shape> const& eps, Record<T, State> const& state, T p,
+                                          T p_c) const {
+    if constexpr (!Rate::shares_flow) return surface.at(p, p_c);
+    Record<T, State> rested = state;
+    auto const [p_bar, q_bar, dev] = split(project(eps, rested, T(std::numeric_limits<double>::max())));
+    EllipsePoint<T> at = surface.at(p_bar, strength<Shape>(rested));
+    at.S = q_bar * T(1 / rate.slope());
+    return at;
   }
 };
 

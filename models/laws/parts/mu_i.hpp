@@ -34,9 +34,7 @@ namespace talus::law {
 /// Source: Jop, Forterre & Pouliquen (2006), doi:10.1038/nature04801; on the ellipse: Blatny, Gray & Gaume (2024),
 /// doi:10.1017/jfm.2024.643; (3) derived here.
 struct MuI {
-  /// The strain step is mapped as if there were no viscosity, then the shear stress is given back in part. Where the
-  /// material dilates, a step so short that hardly any shear slip is left does negative plastic work.
-  static constexpr bool rate_dependent = true, dissipative = false;
+  static constexpr bool rate_dependent = true, shares_flow = false;
   using Derived = Fields<field::Friction, field::InertialNumber, field::ShearRate>;
 
   struct Parameters {
@@ -63,6 +61,8 @@ struct MuI {
   /// Slope of the yield surface. Where mu_1 is 0 the ellipse is all but flat.
   [[nodiscard]] double slope() const { return std::max(mu_1, least_slope); }
 
+  [[nodiscard]] bool viscous() const { return mu_2 > slope(); }
+
   /// Shear stress at the end of the step [Pa]: (3).
   template <Scalar T>
   [[nodiscard]] T relax(T q_tr, EllipsePoint<T> const& at, double G, T dt) const {
@@ -70,6 +70,18 @@ struct MuI {
     T const R = T(G * Q) * dt * sqrt(at.P), sum = O + L, gap = O - L;
     T const z = T(2.0) * O * L / (sum + R + sqrt(T(gap * gap + R * (sum + sum + R))) + T(least_stress));
     return q_y + z;
+  }
+
+  /// q/S of (3), also where S and with it q vanish [1].
+  template <Scalar T>
+  [[nodiscard]] T friction_of_step(T q_tr, EllipsePoint<T> const& at, double G, T dt) const {
+    T const O = max(T(0.0), T(q_tr - T(slope()) * at.S)), L = T(mu_2 - mu_1) * at.S;
+    T const R = min(T(1e100), T(T(G * Q) * dt * sqrt(at.P))), sum = O + L, gap = O - L;
+    return T(slope()) + T(2 * (mu_2 - mu_1)) * O / (sum + R + sqrt(T(gap * gap + R * (sum + sum + R))) + T(1e-300));
+  }
+  template <Scalar T>
+  [[nodiscard]] T share(T /*trial*/, T flowed, T /*dt*/) const {
+    return flowed;
   }
 
   /// q/S between mu_1, which it is for elastic states too, and mu_2.
@@ -80,7 +92,7 @@ struct MuI {
 
   /// The rate (2) that the state tells of; 0 where it is elastic.
   template <Scalar T, class List>
-  void derive(T q, EllipsePoint<T> const& at, Record<T, List>& derived) const {
+  void derive(T q, EllipsePoint<T> const& at, double /*G*/, Record<T, List>& derived) const {
     T const z = max(T(0.0), T(q - T(slope()) * at.S)), L = T(mu_2 - mu_1) * at.S;
     // I/I_0, of which the state tells at most 12 digits
     T const ratio = min(T(1e12), T(z / max(T(L - z), T(T(1e-12) * at.S + T(least_stress)))));

@@ -1,46 +1,38 @@
 #pragma once
 
-#include <algorithm>
-#include <tuple>
-
-#include "core/config/parameters.hpp"
-#include "models/laws/parts/ellipse.hpp"
-#include "models/laws/parts/fields.hpp"
+#include "models/laws/parts/slope.hpp"
 
 namespace talus::law {
 
-/// Shear stress that does not depend on the rate of shear: the friction coefficient is M.
-struct RateIndependent {
-  static constexpr bool rate_dependent = false, dissipative = true;
-  using Derived = Fields<field::Friction>;
+/// Shear stress that does not depend on the rate of shear: the friction coefficient is the slope of the surface.
+///
+/// What every rate law answers, here in its simplest form. A step has two parts: `relax`, the shear stress that the
+/// flow law leaves at a point of the surface, and `share`, how far the stress comes on its way there.
+template <class Slope>
+struct RateIndependent : Slope {
+  static constexpr bool rate_dependent = false;
+  /// True where the step does the same part of the plastic flow in volume and in shear.
+  static constexpr bool shares_flow = false;
+  using Derived = typename Slope::Derived;
+  using Slope::Slope;
 
-  struct Parameters {
-    double M = 0.381863;  // tan 20.9 deg
-    static constexpr auto table() {
-      return std::tuple{
-          parameter(&Parameters::M, "M", "M", "1", "slope q/p of the critical-state line without cohesion",
-                    non_negative),
-      };
-    }
-  };
-
-  double M;
-  explicit RateIndependent(Parameters const& p) : M(p.M) {}
-
-  /// Slope of the yield surface. Where it is 0 the ellipse is all but flat and the material a frictionless fluid.
-  [[nodiscard]] double slope() const { return std::max(M, least_slope); }
-  /// Shear stress at the end of the step [Pa]: the yield stress.
+  /// Shear stress of the flow law [Pa]: the yield stress.
   template <Scalar T>
   [[nodiscard]] T relax(T /*q_tr*/, EllipsePoint<T> const& at, double /*G*/, T /*dt*/) const {
-    return T(slope()) * at.S;
+    return T(this->slope()) * at.S;
+  }
+  /// Where p or q is after the step: all the way from its trial value to what the flow asks for.
+  template <Scalar T>
+  [[nodiscard]] T share(T /*trial*/, T flowed, T /*dt*/) const {
+    return flowed;
   }
   template <Scalar T>
   [[nodiscard]] T friction(T /*q*/, EllipsePoint<T> const& /*at*/) const {
-    return T(M);
+    return T(this->M);
   }
   template <Scalar T, class List>
-  void derive(T q, EllipsePoint<T> const& at, Record<T, List>& derived) const {
-    derived[field::friction] = friction(q, at);
+  void derive(T q, EllipsePoint<T> const& at, double /*G*/, Record<T, List>& derived) const {
+    if constexpr (Derived::template holds<field::Friction>) derived[field::friction] = friction(q, at);
   }
 };
 
