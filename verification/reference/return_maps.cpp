@@ -170,24 +170,34 @@ StressOf<T> cone_step(Elasticity const& elastic, Cone const& cone, DuvautLions c
 }
 
 using D = double;
+using E = long double;
 using R = Digits;
 template StressOf<D> cam_clay_projection(CamClay const&, StressOf<D> const&);
 template StressOf<R> cam_clay_projection(CamClay const&, StressOf<R> const&);
+template StressOf<E> cam_clay_projection(CamClay const&, StressOf<E> const&);
 template StressOf<D> cam_clay_two_stage(CamClay const&, MuI const&, StressOf<D> const&, double);
 template StressOf<R> cam_clay_two_stage(CamClay const&, MuI const&, StressOf<R> const&, double);
+template StressOf<E> cam_clay_two_stage(CamClay const&, MuI const&, StressOf<E> const&, double);
 template StressOf<D> cam_clay_two_stage(CamClay const&, Perzyna const&, StressOf<D> const&, double);
 template StressOf<R> cam_clay_two_stage(CamClay const&, Perzyna const&, StressOf<R> const&, double);
+template StressOf<E> cam_clay_two_stage(CamClay const&, Perzyna const&, StressOf<E> const&, double);
 template StressOf<D> cam_clay_duvaut_lions(CamClay const&, DuvautLions const&, StressOf<D> const&, double);
 template StressOf<R> cam_clay_duvaut_lions(CamClay const&, DuvautLions const&, StressOf<R> const&, double);
+template StressOf<E> cam_clay_duvaut_lions(CamClay const&, DuvautLions const&, StressOf<E> const&, double);
 template StressOf<D> cam_clay_consistent(CamClay const&, MuI const&, StressOf<D> const&, double);
 template StressOf<R> cam_clay_consistent(CamClay const&, MuI const&, StressOf<R> const&, double);
+template StressOf<E> cam_clay_consistent(CamClay const&, MuI const&, StressOf<E> const&, double);
 template StressOf<D> cam_clay_consistent(CamClay const&, Perzyna const&, StressOf<D> const&, double);
 template StressOf<R> cam_clay_consistent(CamClay const&, Perzyna const&, StressOf<R> const&, double);
+template StressOf<E> cam_clay_consistent(CamClay const&, Perzyna const&, StressOf<E> const&, double);
 template StressOf<D> cone_step(Elasticity const&, Cone const&, StressOf<D> const&);
 template StressOf<R> cone_step(Elasticity const&, Cone const&, StressOf<R> const&);
+template StressOf<E> cone_step(Elasticity const&, Cone const&, StressOf<E> const&);
 template StressOf<D> cone_step(Elasticity const&, Cone const&, Perzyna const&, StressOf<D> const&, double);
 template StressOf<R> cone_step(Elasticity const&, Cone const&, Perzyna const&, StressOf<R> const&, double);
+template StressOf<E> cone_step(Elasticity const&, Cone const&, Perzyna const&, StressOf<E> const&, double);
 template StressOf<D> cone_step(Elasticity const&, Cone const&, DuvautLions const&, StressOf<D> const&, double);
 template StressOf<R> cone_step(Elasticity const&, Cone const&, DuvautLions const&, StressOf<R> const&, double);
+template StressOf<E> cone_step(Elasticity const&, Cone const&, DuvautLions const&, StressOf<E> const&, double);
 
 }  // namespace talus::reference

@@ -27,7 +27,8 @@ struct CamClay {
   bool is_implicit;
 };
 
-/// Every map returns a trial stress that is not above the surface as it is. Instantiated for double and Digits.
+/// Every map returns a trial stress that is not above the surface as it is. Instantiated for double,
+/// long double and Digits.
 ///
 /// Rate independent, associated. With p_c(p) the strength at eps_V + (p - p_tr)/K, or the one of the start,
 ///
