@@ -1,6 +1,7 @@
 /// Two integrators and a differential-algebraic one give the same paths of a material point.
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <functional>
 
 #include "tests/support/strain_paths.hpp"
@@ -128,6 +129,26 @@ BOOST_AUTO_TEST_CASE(ida_equals_cvode_where_all_is_strain_controlled) {
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(turning_axes_are_those_of_an_observer_who_turns) {
+  // in a frame that turns with R(omega t), the gradient R l R^T is l - omega [0 -1; 1 0]
+  auto const law = mu_i(support::elastic(3), 0.1);
+  double const omega = 200, time = 5e-3;
+  Matrix const l = velocity_gradient(5, -4, -1, 3);
+  Matrix seen = l;
+  seen(0, 1) += omega;
+  seen(1, 0) -= omega;
+  auto const start = under_pressure(law.elastic, 60);
+  auto const rows = cvode_path(law, start, {{time, l, omega}}, eighths(time));
+  auto turned = cvode_path(law, start, {{time, seen, 0}}, eighths(time));
+  for (auto& row : turned) {
+    double const c = std::cos(omega * row.t), s = std::sin(omega * row.t);
+    Matrix R;
+    R << c, -s, 0, s, c, 0, 0, 0, 1;
+    row.tau = R * row.tau * R.transpose();
+  }
+  BOOST_TEST(difference(rows, turned) <= agreement);
 }
 
 BOOST_AUTO_TEST_CASE(a_law_that_is_not_defined_stops_with_a_reason) {

@@ -36,7 +36,7 @@ using MixedPath = std::vector<MixedSegment>;
 
 /// Simple shear l_xy [1/s] without strain along x and z, tau_yy held.
 [[nodiscard]] MixedPath direct_shear(double shear_rate, double duration);
-/// Compression along y at the rate `rate` [1/s] > 0, tau_xx and tau_zz held.
+/// Compression along y at the rate `rate` [1/s] > 0, tau_xx and tau_zz held. Pre: normals = 3.
 [[nodiscard]] MixedPath triaxial_compression(double rate, double duration);
 /// Compression along y without strain along x and z.
 [[nodiscard]] MixedPath oedometer(double rate, double duration);
