@@ -48,7 +48,8 @@ struct FlowedStress {
 ///   mu(S) S = q_n(mu(S))                                                                                      (6)
 ///
 /// Where the strength falls faster than the stress there may be several roots, as in CamClayMap.
-/// Cost: derivatives by a dual number; about six evaluations, each about three times that of CamClayMap.
+/// Cost: derivatives by a dual number; a plastic step takes about four times that of the two stages (265 against 63 ns
+/// a particle in the plane).
 /// Source: derived here; M replaced by mu(I) in the flow rule of Blatny, Gray & Gaume (2024),
 /// doi:10.1017/jfm.2024.643.
 template <class Hardening, class Rate>
