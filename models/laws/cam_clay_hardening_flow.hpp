@@ -14,7 +14,6 @@ struct CamClayMuIHardeningFlow : ModifiedCamClay<ExponentialHardening, MuI, TwoS
                                     title = "Critical-state mu(I) rheology, two-stage map, flow along the hardening",
                                     source =
                                         "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, as computed in 2023";
-  static constexpr bool associated = false;
   using ModifiedCamClay::ModifiedCamClay;
 };
 static_assert(Law<CamClayMuIHardeningFlow>);

@@ -3,9 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/drucker_prager.hpp"
 #include "models/laws/hencky.hpp"
-#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/contracts/law_contracts.hpp"
 

@@ -19,8 +19,8 @@ namespace {
 /// Claims that its flow is normal to the ellipse, and flows along the hardening.
 struct SkewedFlow : law::ModifiedCamClay<law::ExponentialHardening, law::CamClayRateIndependent,
                                          law::TwoStage<law::HardeningFlowMap>> {
+  static constexpr bool associated = true;
   using ModifiedCamClay::ModifiedCamClay;
-  static_assert(associated);
 };
 /// Claims that volume and shear follow one rate.
 struct TwoStagesAsOne : law::CamClayMuI {

@@ -44,7 +44,8 @@ void set_slope(P& p, double slope) {
 
 /// Stress and state after one step from a trial stress.
 template <class L>
-support::MaterialPoint<shape::Solid, L> stepped(L const& law, double p_tr, double q_tr, double dt = 1e-5, double eps_V = 0) {
+support::MaterialPoint<shape::Solid, L> stepped(L const& law, double p_tr, double q_tr, double dt = 1e-5,
+                                                double eps_V = 0) {
   support::MaterialPoint<shape::Solid, L> point{law};
   point.state[field::plastic_volumetric_strain] = eps_V;
   point.step(support::strain_of<shape::Solid>(law, p_tr, q_tr), dt);

@@ -36,6 +36,7 @@ struct MappedStress {
 /// Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
 template <class Hardening>
 struct CamClayMap {
+  static constexpr bool associated = true;
   static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
 
   Ellipse const& surface;

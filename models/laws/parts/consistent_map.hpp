@@ -43,8 +43,13 @@ struct FlowedStress {
 /// the rate-independent map; dt -> 0 leaves the trial stress where the flow law can carry it. The plastic work is
 /// dlambda ((1 - beta) p p_c + 2 beta p_c^2) mu^2 >= 0, since p >= -beta p_c.
 ///
+/// Near cap and tip S follows from p with half its digits only; there it is solved for at the p found:
+///
+///   mu(S) S = q_n(mu(S))                                                                                      (6)
+///
 /// Where the strength falls faster than the stress there may be several roots, as in CamClayMap.
-/// Cost: derivatives by a dual number; about six evaluations, each about three times that of CamClayMap.
+/// Cost: derivatives by a dual number; a plastic step takes about four times that of the two stages (265 against 63 ns
+/// a particle in the plane).
 /// Source: derived here; M replaced by mu(I) in the flow rule of Blatny, Gray & Gaume (2024),
 /// doi:10.1017/jfm.2024.643.
 template <class Hardening, class Rate>
@@ -77,7 +82,7 @@ struct ConsistentMap {
     T const start = inner + T(0.5) * (tr.p - inner);
     T const p = bracketed_newton<T>(residual, inner, tr.p, start, T(1e-3 * tolerance) * tr.p_c).x;
 
-    // near cap and tip S follows from p with half its digits, and from q_n = mu S with all of them: the smaller dS/dp
+    // the smaller dS/dp: of p, or of (6)
     auto const at = evaluate(tr, p, side, dt);
     T const S = at.point.S, kappa = T(m.G / m.K) / (at.mu * at.mu), sum = at.x + kappa * side * (tr.p - p);
     auto const by_rule = S * S * (sum + kappa * at.x) < at.x * at.x * sum;
@@ -104,7 +109,7 @@ struct ConsistentMap {
   [[nodiscard]] T flow_rule(T q_tr, T x, T way, T mu) const {
     return q_tr * x / (x + T(m.G / m.K) / (mu * mu) * way + T(1e-300));
   }
-  /// S of q_n(mu) = mu S at a given pressure: mu S rises with S, and q_n falls, so that there is one.
+  /// S of (6): mu S rises with S, and q_n falls, so that there is one.
   template <Scalar T, class Condition>
   [[nodiscard]] T from_flow_rule(CamClayTrial<T> const& tr, At<T> const& at, T way, T dt, Condition wanted) const {
     auto const miss = [&](T S) -> WithDerivative<T> {

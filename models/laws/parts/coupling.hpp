@@ -18,8 +18,8 @@ template <template <class> class Map>
 struct TwoStage {
   template <class Rate>
   static constexpr bool dissipative = !Rate::rate_dependent || Rate::shares_flow;
-  template <class Rate>
-  static constexpr bool associated = !Rate::rate_dependent;
+  template <class Hardening, class Rate>
+  static constexpr bool associated = !Rate::rate_dependent && Map<Hardening>::associated;
 
   template <class Hardening, class Rate, Scalar T, class Condition>
   [[nodiscard]] static FlowedStress<T> flow(Ellipse const& surface, Hardening const& hardening, Rate const& rate,
@@ -34,7 +34,7 @@ struct TwoStage {
 struct Consistent {
   template <class Rate>
   static constexpr bool dissipative = true;
-  template <class Rate>
+  template <class Hardening, class Rate>
   static constexpr bool associated = true;
 
   template <class Hardening, class Rate, Scalar T, class Condition>

@@ -21,6 +21,7 @@ namespace talus::law {
 /// of 2023, inferred from stresses that it returned (tests/models/laws_hardening_flow.cpp); (2), (3) derived here.
 template <class Hardening>
 struct HardeningFlowMap {
+  static constexpr bool associated = false;
   static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
 
   Ellipse const& surface;

@@ -24,7 +24,7 @@ namespace talus::law {
 template <class Hardening, class Rate, class Coupling = TwoStage<CamClayMap>>
 struct ModifiedCamClay : HenckyElasticity {
   static constexpr bool rate_dependent = Rate::rate_dependent, dissipative = Coupling::template dissipative<Rate>;
-  static constexpr bool associated = Coupling::template associated<Rate>;
+  static constexpr bool associated = Coupling::template associated<Hardening, Rate>;
   static constexpr bool hardens_explicitly = is_explicit<Hardening>;
   using State = Fields<field::PlasticVolumetricStrain>;
   using Derived = Unite<Fields<field::CompressiveStrength>, typename Rate::Derived>;

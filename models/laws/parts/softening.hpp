@@ -14,7 +14,8 @@ namespace talus::law {
 
 /// q_y = q_min + (q_max - q_min) exp(-xi e).
 ///
-/// q_y [Pa]: shear strength; xi [1]: softening factor. Source: PHYSICS 7 (larsblatny/matter, VMVisc).
+/// q_y [Pa]: shear strength; xi [1]: softening factor. Source: the form that larsblatny/matter documents (VMVisc); its
+/// map is explicit in e, ours is not.
 struct ShearSoftening {
   struct Parameters {
     double q_max = 1000, q_min = 500, xi = 10;
