@@ -70,8 +70,9 @@ inline constexpr bool is_brittle = requires {
 };
 /// Before it projects, the law gives plastic strain back to the elastic strain.
 template <class L>
-concept Recovers = requires(L const law, Symmetric<double, shape::Solid> eps, Record<double, typename L::State> state) {
-  law.recover(eps, state);
+concept Recovers = requires(L const law, Symmetric<double, shape::Solid> strain,
+                            Record<double, typename L::State> state) {
+  law.recover(strain, state);
 };
 
 /// A trial strain, the state before the step, and what the law makes of them.

@@ -87,7 +87,7 @@ struct Cylinder : HenckyElasticity {
     if (!any(torn || plastic)) return trial;
 
     T const e_n = e;
-    auto const surface = [this, p = p_tr](auto e_end) { return point(decltype(e_end)(p), e_end); };
+    auto const surface = [&, p = p_tr](auto e_end) { return point(decltype(e_end)(p), e_end); };
     T const flowed = rate.share(q_tr, radial_return(rate, q_tr, e_n, G, dt, surface, plastic), dt);  // (2)
     T const q = select<T>(torn, 0.0, select<T>(plastic, min(q_tr, flowed), q_tr));                   // (3)
     e += T(1 / (std::sqrt(2.0) * G)) * (q_tr - q);
