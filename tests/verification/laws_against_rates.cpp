@@ -79,6 +79,12 @@ std::string line(StrainPath const& path, double beta, std::vector<double> const&
   return text.str();
 }
 
+/// The paths cut off 25 us after their start, between yield and critical state: there is where volume changes fast.
+std::vector<StrainPath> transients(std::vector<StrainPath> paths) {
+  for (StrainPath& path : paths) path.name += ", first 25 us", path.path.front().duration = 25e-6;
+  return paths;
+}
+
 /// Tells the errors, and demands order 1.00 +- 0.05 in the last three refinements.
 template <class L, class Rates>
 void check_order(Rates const& rates_of, std::vector<StrainPath> const& paths) {
@@ -113,26 +119,30 @@ BOOST_AUTO_TEST_SUITE(laws_against_rates)
 
 BOOST_AUTO_TEST_CASE(rate_independent_cam_clay_converges_with_order_one) {
   check_order<law::CamClay>(rate_independent, support::strain_paths(0));
+  check_order<law::CamClay>(rate_independent, transients(support::strain_paths(0)));
 }
 
 // Shear at constant volume, compression, dilation: its volumetric transients converge as well.
 BOOST_AUTO_TEST_CASE(the_consistent_mu_of_I_map_converges_with_order_one) {
   check_order<law::CamClayMuIConsistent>(mu_i, support::strain_paths(0.3));
+  check_order<law::CamClayMuIConsistent>(mu_i, transients(support::strain_paths(0.3)));
 }
 
 // The published map takes the whole overstress to the surface for the pressure in every step, however short: the way to
 // critical state depends on the step, and does not tend to the rate equations. Only its end does.
 BOOST_AUTO_TEST_CASE(the_two_stage_map_keeps_an_error_in_volumetric_transients) {
-  auto const path = support::strain_paths(0.3).front();
-  law::CamClayMuI const two_stage{{}};
-  auto const e = errors(two_stage, mu_i(support::elastic(path.normals), 0), path);
-  BOOST_TEST_MESSAGE("cam_clay_mu_i_two_stage, " << line(path, 0, e));
-  BOOST_TEST(std::log2(e[e.size() - 2] / e.back()) < 0.5);
-  auto steady = path;
-  steady.path.front().duration *= 200;
-  auto const at_end = errors(two_stage, mu_i(support::elastic(path.normals), 0), steady);
-  BOOST_TEST_MESSAGE("after 200 times the strain, " << line(steady, 0, at_end));
-  BOOST_TEST(at_end.back() < 1e-2);
+  auto const whole = support::strain_paths(0.3), first = transients(whole);
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    auto const rates = mu_i(support::elastic(whole[k].normals), 0);
+    auto const early = errors(law::CamClayMuI{law::CamClayMuI::Parameters{}}, rates, first[k]),
+               late = errors(law::CamClayMuI{law::CamClayMuI::Parameters{}}, rates, whole[k]);
+    BOOST_TEST_MESSAGE("cam_clay_mu_i_two_stage, " << line(first[k], 0, early));
+    BOOST_TEST_MESSAGE("cam_clay_mu_i_two_stage, " << line(whole[k], 0, late));
+    if (k != 0) continue;
+    BOOST_TEST(early.back() > 1e-2);
+    BOOST_TEST(std::log2(early[early.size() - 2] / early.back()) < 0.5);
+    BOOST_TEST(late.back() < 1e-4);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

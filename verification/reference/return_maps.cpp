@@ -17,14 +17,15 @@ T change_of_sign(F f, T a, T b) {
   return (a + b) / 2;
 }
 
-/// (3), with the overstress as the unknown.
+/// (3): the smaller root of the quadratic equation for the overstress, in the form in which nothing cancels.
 template <class T>
 T relaxed(MuI const& m, double G, T const& q_tr, T const& S, T const& P, double dt) {
   using std::sqrt;
   T const q_y = m.mu_1 * S, O = q_tr - q_y, L = (T(m.mu_2) - m.mu_1) * S, R = T(G) * dt * m.Q() * sqrt(P);
   if (O <= 0) return q_tr;
-  auto const f = [&](T const& z) { return T((L - z) * (O - z) - R * z); };
-  return q_y + change_of_sign<T>(f, T(0), O < L ? O : L);
+  if (L <= 0) return q_y;
+  T const gap = O - L, twice = O + L + R + sqrt(T(gap * gap + R * (2 * (O + L) + R)));
+  return q_y + 2 * O * L / twice;
 }
 
 /// (4), with the stress as the unknown.
@@ -106,8 +107,10 @@ template <class T>
 StressOf<T> cam_clay_two_stage(CamClay const& law, MuI const& m, StressOf<T> const& trial, double dt) {
   Search<T> const search{law, m.mu_1, trial};
   if (!search.plastic()) return trial;
-  T const p = search.project().p;
-  return search.at(p, relaxed<T>(m, search.G, trial.q, search.S(p), search.P(p), dt));
+  auto const stage = search.project();  // its q is mu_1 S without the digits that p loses near cap and tip
+  T const S = stage.q / T(m.mu_1), by_p = search.P(stage.p), below_cap = search.p_c(stage.p) - stage.p;
+  T const P = below_cap > by_p ? T(S * S / below_cap) : by_p;
+  return search.at(stage.p, relaxed<T>(m, search.G, trial.q, S, P, dt));
 }
 template <class T>
 StressOf<T> cam_clay_two_stage(CamClay const& law, Perzyna const& v, StressOf<T> const& trial, double dt) {

@@ -37,7 +37,7 @@ struct MappedStress {
 template <class Hardening>
 struct CamClayMap {
   static constexpr bool associated = true;
-  static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
+  static constexpr double tolerance = 1e-12;  ///< of p and of p_c, in units of the strength, to three decades
 
   Ellipse const& surface;
   Hardening const& hardening;
@@ -66,16 +66,28 @@ struct CamClayMap {
     };
 
     T const inner = select<T>(plastic, surface.centre(p_c_n), p_tr);
-    auto const root =
-        bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(tolerance) * p_c_n);
-
-    T const p_c = strength(root.x);
+    Root<T> root{start(x_tr, q_tr, p_c_n, inner, p_tr)};
+    T below = inner, above = p_tr, p_c = p_c_n;
+    auto again = plastic;
+    for (int evaluations = 0; any(again); evaluations = root.iterations) {
+      T const unit = p_c;
+      T const steepness = T(1.0) - T(1 / K) * hardening.slope(unit, K);  // |dp_c/dp| + 1
+      root = bracketed_newton<T>(residual, below, above, root.x, T(tolerance) * unit / steepness);
+      root.iterations += evaluations;
+      p_c = strength(root.x);
+      again = again && p_c < T(1e-3) * unit;  // the strength fell by decades: once more, in units of what is left
+      below = select<T>(again, below, root.x), above = select<T>(again, above, root.x);
+    }
     EllipsePoint<T> at = surface.at(root.x, p_c);
     // near cap and tip S follows from p with half its digits, and from the flow rule with all of them: the smaller
     // dS/dp
     T const x = outward(root.x, p_c), sum = x + T(kappa) * side * (p_tr - root.x);
     T const by_flow = min(T(T(1 / M) * q_tr * x / sum), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
-    at.S = select<T>(at.S * at.S * (sum + T(kappa) * x) < x * x * sum, by_flow, at.S);
+    auto const by_rule = at.S * at.S * (sum + T(kappa) * x) < x * x * sum;
+    at.S = select<T>(by_rule, by_flow, at.S);
+    auto const at_tip = plastic && by_rule && root.x < surface.centre(p_c);  // where P cancels
+    if (any(at_tip)) [[unlikely]]
+      at.P = select<T>(at_tip, at.S * at.S / (p_c - at.p), at.P);
     return {at, root.iterations, root.converged};
   }
 

@@ -88,6 +88,7 @@ struct ConsistentMap {
     auto const by_rule = S * S * (sum + kappa * at.x) < at.x * at.x * sum;
     EllipsePoint<T> point = at.point;
     point.S = select<T>(by_rule, from_flow_rule(tr, at, T(side * (tr.p - p)), dt, plastic && by_rule), S);
+    point.P = select<T>(by_rule, with_shear(at.point, point.S).P, point.P);
     return {point.p, min(tr.q, T(rate.friction_of_step(tr.q, point, m.G, dt) * point.S))};
   }
 
@@ -109,12 +110,19 @@ struct ConsistentMap {
   [[nodiscard]] T flow_rule(T q_tr, T x, T way, T mu) const {
     return q_tr * x / (x + T(m.G / m.K) / (mu * mu) * way + T(1e-300));
   }
+  /// The point with another S; at the tip, where p + beta p_c cancels, P = S^2/(p_c - p) goes with it.
+  template <Scalar T, Scalar U>
+  [[nodiscard]] EllipsePoint<U> with_shear(EllipsePoint<T> const& at, U S) const {
+    T const to_cap = at.p_c - at.p;
+    U const P = select<U>(U(at.P) < U(to_cap), S * S / (U(to_cap) + U(1e-300)), U(at.P));
+    return {U(at.p), U(at.p_c), P, S};
+  }
   /// S of (6): mu S rises with S, and q_n falls, so that there is one.
   template <Scalar T, class Condition>
   [[nodiscard]] T from_flow_rule(CamClayTrial<T> const& tr, At<T> const& at, T way, T dt, Condition wanted) const {
     auto const miss = [&](T S) -> WithDerivative<T> {
       using D = Dual<1, T>;
-      EllipsePoint<D> const point{D(at.point.p), D(at.point.p_c), D(at.point.P), D::variable(S, 0)};
+      EllipsePoint<D> const point = with_shear(at.point, D::variable(S, 0));
       D const mu = rate.friction_of_step(D(tr.q), point, m.G, D(dt));
       D const off = mu * point.S - flow_rule(D(tr.q), D(at.x), D(way), mu);
       return {off.value, off.derivative(0)};
