@@ -30,6 +30,34 @@ struct DruckerPragerMuI : Cone<ConstantCohesion, OpenGap, MuI> {
                                     source = "Jop, Forterre & Pouliquen (2006), doi:10.1038/nature04801";
   using Cone::Cone;
 };
+/// The same three with gaps that close before the material bears load.
+struct DruckerPragerVolumeCorrectedPerzyna : Cone<ConstantCohesion, ClosingGap, Perzyna<ConeSlope>> {
+  static constexpr std::string_view
+      name = "drucker_prager_volume_corrected_perzyna",
+      title = "Viscous Drucker–Prager after Perzyna, volume corrected",
+      source =
+          "Drucker & Prager (1952), doi:10.1090/qam/48291; Perzyna (1966), doi:10.1016/S0065-2156(08)70009-7; "
+          "Tampubolon et al. (2017), doi:10.1145/3072959.3073651";
+  using Cone::Cone;
+};
+struct DruckerPragerVolumeCorrectedDuvautLions : Cone<ConstantCohesion, ClosingGap, DuvautLions<ConeSlope>> {
+  static constexpr std::string_view name = "drucker_prager_volume_corrected_duvaut_lions",
+                                    title = "Viscous Drucker–Prager after Duvaut and Lions, volume corrected",
+                                    source =
+                                        "Drucker & Prager (1952), doi:10.1090/qam/48291; Duvaut & Lions (1972); "
+                                        "Tampubolon et al. (2017), doi:10.1145/3072959.3073651";
+  using Cone::Cone;
+};
+struct DruckerPragerVolumeCorrectedMuI : Cone<ConstantCohesion, ClosingGap, MuI> {
+  static constexpr std::string_view name = "drucker_prager_volume_corrected_mu_i",
+                                    title = "mu(I) rheology on the Drucker–Prager cone, volume corrected",
+                                    source =
+                                        "Jop, Forterre & Pouliquen (2006), doi:10.1038/nature04801; "
+                                        "Tampubolon et al. (2017), doi:10.1145/3072959.3073651";
+  using Cone::Cone;
+};
+static_assert(Law<DruckerPragerVolumeCorrectedPerzyna> && Law<DruckerPragerVolumeCorrectedDuvautLions> &&
+              Law<DruckerPragerVolumeCorrectedMuI>);
 static_assert(Law<DruckerPragerPerzyna> && Law<DruckerPragerDuvautLions> && Law<DruckerPragerMuI>);
 
 }  // namespace talus::law
