@@ -70,7 +70,7 @@ struct Tally {
       BOOST_TEST(off == 0);
       BOOST_TEST(worst_steep < 1e-5);
       BOOST_TEST(judge < 1e-14);
-      BOOST_TEST(most_iterations < root_iteration_limit);
+      BOOST_TEST(most_iterations < 2 * root_iteration_limit);
     }
   }
 };

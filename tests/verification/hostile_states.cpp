@@ -64,6 +64,16 @@ struct Stress {
   Long p, q;
 };
 
+/// The rate law, counting how often the consistent map asks it: once an evaluation of its two searches.
+struct CountingMuI : law::MuI {
+  mutable int asked = 0;
+  template <Scalar T>
+  [[nodiscard]] T friction_of_step(T q_tr, law::EllipsePoint<T> const& at, double G, T dt) const {
+    ++asked;
+    return MuI::friction_of_step(q_tr, at, G, dt);
+  }
+};
+
 /// One law in one corner, against its truth.
 template <class L>
 struct Court {
@@ -177,10 +187,18 @@ void judge_packs(Tally& tally, Court<L> const& court, support::TrialSampler& sam
   law::Modulus const m{court.K, court.G};
   auto const flowed =
       CouplingOf<L>::flow(court.law.surface, court.law.hardening, court.law.rate, m, trial, dt, plastic);
-  if constexpr (!consistent<L>) {
+  int evaluations = 0;
+  if constexpr (consistent<L>) {
+    CountingMuI const counting{court.law.rate};
+    law::ConsistentMap<law::ExponentialHardening, CountingMuI> const map{court.law.surface, court.law.hardening,
+                                                                         counting, m};
+    static_cast<void>(map(trial, dt, plastic));
+    evaluations = counting.asked;
+  } else {
     law::CamClayMap const map{court.law.surface, court.law.hardening, court.K, court.G};
-    tally.most_iterations = std::max(tally.most_iterations, map(p, q, eps_V, p_c, plastic).iterations);
+    evaluations = map(p, q, eps_V, p_c, plastic).iterations;
   }
+  tally.most_iterations = std::max(tally.most_iterations, evaluations);
   tally.tried += lanes;
   for (int k = 0; k < lanes; ++k)
     if (plastic[k]) court.judge_one(tally, trials[static_cast<std::size_t>(k)], {flowed.p[k], flowed.q[k]});
