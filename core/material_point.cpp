@@ -125,8 +125,10 @@ Components6 MaterialPoint<D>::solve(Components6 motion, std::vector<std::size_t>
   }
   std::string names;
   for (std::size_t const c : free) names += (names.empty() ? "" : ", ") + std::string(component_names[c]);
-  throw RunError("at t = " + std::to_string(time_) + " s no motion brings the stress " + names +
-                 " to its target: the law cannot carry it. Ask for less, or lead the motion instead of the stress");
+  throw RunError(
+      "at t = " + std::to_string(time_) + " s no motion was found that brings the stress " + names +
+      " to its target in one step: the law cannot carry it, or not so fast. Take shorter steps, ask for less, "
+      "or lead the motion instead of the stress");
 }
 
 template <int D>
@@ -179,7 +181,8 @@ std::vector<Quantity> MaterialPoint<D>::quantities() const {
     if (leads(c) || (across_ && c == 2)) list.push_back({"stress_" + name, "tau", "Pa", "Kirchhoff stress " + name});
   }
   list.push_back({"volume_strain", "ln J", "1", "logarithm of volume over initial volume; positive in dilation"});
-  list.push_back({"work", "W", "J/m^3", "work of the stress since the start, per reference volume"});
+  list.push_back(
+      {"work", "W", "J/m^3", "work of the stress since the start, per reference volume; of first order in the step"});
   list.push_back({"elastic_energy", "Psi", "J/m^3", "stored energy per reference volume"});
   list.push_back({"stress_ratio", "q/p", "1", "shear stress over pressure; 0 where there is no pressure"});
   list.push_back({"iterations", "k", "1", "iterations of the last search for a stress"});

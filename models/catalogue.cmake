@@ -9,7 +9,6 @@ talus_catalogue(Laws law::DruckerPragerPerzyna models/laws/drucker_prager_viscou
 talus_catalogue(Laws law::DruckerPragerDuvautLions models/laws/drucker_prager_viscous.hpp)
 talus_catalogue(Laws law::DruckerPragerMuI models/laws/drucker_prager_viscous.hpp)
 talus_catalogue(Laws law::DruckerPragerVolumeCorrectedPerzyna models/laws/drucker_prager_viscous.hpp)
-talus_catalogue(Laws law::DruckerPragerVolumeCorrectedDuvautLions models/laws/drucker_prager_viscous.hpp)
 talus_catalogue(Laws law::DruckerPragerVolumeCorrectedMuI models/laws/drucker_prager_viscous.hpp)
 talus_catalogue(Laws law::VonMises models/laws/von_mises.hpp)
 talus_catalogue(Laws law::VonMisesSoftening models/laws/von_mises_softening.hpp)

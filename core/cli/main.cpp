@@ -202,6 +202,7 @@ int told(std::exception const& error) {
   if (dynamic_cast<RunError const*>(&error) != nullptr) return computation_failed;
   if (dynamic_cast<CheckpointError const*>(&error) != nullptr) return checkpoint_unusable;
   if (dynamic_cast<FileError const*>(&error) != nullptr) return file_system_error;
+  if (dynamic_cast<std::filesystem::filesystem_error const*>(&error) != nullptr) return file_system_error;
   fmt::print(stderr, "This is a mistake in Talus; please report it with the command and the document.\n");
   return internal_error;
 }

@@ -29,10 +29,14 @@ std::string label_of(StudyPlan const& plan, std::vector<nlohmann::json> const& v
 Document document_of(StudyPlan const& plan, std::vector<nlohmann::json> const& values, std::string const& label) {
   nlohmann::json document = plan.base;
   for (std::size_t a = 0; a < values.size(); ++a) {
-    nlohmann::json::json_pointer const pointer(plan.axes[a].path);
-    if (!plan.resolved_base.contains(pointer))
-      throw InputError(fmt::format("/axes/{}/path: '{}' leads nowhere in the base case", a, plan.axes[a].path));
-    document[pointer] = values[a];
+    try {
+      nlohmann::json::json_pointer const pointer(plan.axes[a].path);
+      if (pointer.empty() || !plan.resolved_base.contains(pointer))
+        throw InputError(fmt::format("/axes/{}/path: '{}' leads nowhere in the base case", a, plan.axes[a].path));
+      document[pointer] = values[a];
+    } catch (nlohmann::json::exception const&) {
+      throw InputError(fmt::format("/axes/{}/path: '{}' is no JSON pointer, such as /law/xi", a, plan.axes[a].path));
+    }
   }
   if (!label.empty()) document["title"] = fmt::format("{} ({})", document["title"].get<std::string>(), label);
   return parse(document.dump(2), label);

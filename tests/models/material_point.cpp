@@ -7,6 +7,7 @@
 #include "models/kinematics/plane_strain.hpp"
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/kinematics/solid.hpp"
+#include "models/laws/cam_clay_mu_i.hpp"
 #include "models/laws/hencky.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "models/make.hpp"
@@ -131,7 +132,7 @@ BOOST_AUTO_TEST_CASE(what_the_law_cannot_carry_is_told) {
   auto point = point_of<kinematics::Solid, law::CamClay>({});
   go(point, 0.01, 50, {stress(-10), stress(-10), stress(-10), rate(0), rate(0), rate(0)});
   BOOST_CHECK_EXCEPTION(go(point, 1, 100, {held, stress(5), held, rate(0), rate(0), rate(0)}), RunError,
-                        support::says("no motion brings the stress"));
+                        support::says("no motion was found"));
   BOOST_CHECK_EXCEPTION(go(point, 1, 1, {rate(-2), rate(0), rate(0), rate(0), rate(0), rate(0)}), RunError,
                         support::says("inside out"));
 }

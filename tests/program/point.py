@@ -67,13 +67,19 @@ class Point(InFolder):
                 ("/pictures", [{"x": "strain", "y": "stress_xy"}], "/pictures/0/x: found 'strain'"),
                 ("/expect/0/measure", "stress", "/expect/0/measure"),
                 ("/expect/0/at", [1], "/expect/0/at: found 1 values; expected: one for each of the 0 axes"),
-                ("/axes", [{"path": "/law/nothing", "values": [1]}], "leads nowhere")):
+                ("/axes", [{"path": "/law/nothing", "values": [1]}], "leads nowhere"),
+                ("/axes", [{"path": "law/xi", "values": [1]}], "/axes/0/path: 'law/xi' is no JSON pointer"),
+                ("/axes", [{"path": "", "values": [1]}], "/axes/0/path: '' leads nowhere")):
             with self.subTest(pointer):
                 document = changed(pointer, value, copy.deepcopy(SHEAR))
                 if pointer == "/axes":
                     del document["expect"]
                 self.assertIn(words, self.point(document, code=3).stderr)
                 self.assertFalse((self.folder / "out").exists())
+
+    def test_a_file_in_place_of_the_folder_is_told(self):
+        self.save("", "out")
+        self.assertIn("out", self.point(SHEAR, code=7).stderr)
 
     def test_points_and_cases_are_told_apart(self):
         path = self.save(SHEAR)

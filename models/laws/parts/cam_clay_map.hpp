@@ -37,7 +37,7 @@ struct MappedStress {
 template <class Hardening>
 struct CamClayMap {
   static constexpr bool associated = true;
-  static constexpr double tolerance = 1e-12;  ///< of p and of p_c, in units of the strength, to three decades
+  static constexpr double tolerance = 1e-12;  ///< of p and p_c, in units of the strength, to three decades
 
   Ellipse const& surface;
   Hardening const& hardening;
@@ -66,32 +66,42 @@ struct CamClayMap {
     };
 
     T const inner = select<T>(plastic, surface.centre(p_c_n), p_tr);
-    Root<T> root{start(x_tr, q_tr, p_c_n, inner, p_tr)};
-    T below = inner, above = p_tr, p_c = p_c_n;
-    auto again = plastic;
-    for (int evaluations = 0; any(again); evaluations = root.iterations) {
-      T const unit = p_c;
-      T const steepness = T(1.0) - T(1 / K) * hardening.slope(unit, K);  // |dp_c/dp| + 1
-      root = bracketed_newton<T>(residual, below, above, root.x, T(tolerance) * unit / steepness);
-      root.iterations += evaluations;
+    auto root = bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(tolerance) * p_c_n);
+    T p_c = strength(root.x);
+    auto const coarse = plastic && (p_c < T(1e-3) * p_c_n || hardening.slope(p_c_n, K) < T(-K));
+    if (any(coarse)) [[unlikely]] {
+      root = refined<T>(residual, strength, coarse, inner, p_tr, root);
       p_c = strength(root.x);
-      again = again && p_c < T(1e-3) * unit;  // the strength fell by decades: once more, in units of what is left
-      below = select<T>(again, below, root.x), above = select<T>(again, above, root.x);
     }
     EllipsePoint<T> at = surface.at(root.x, p_c);
     // near cap and tip S follows from p with half its digits, and from the flow rule with all of them: the smaller
     // dS/dp
     T const x = outward(root.x, p_c), sum = x + T(kappa) * side * (p_tr - root.x);
     T const by_flow = min(T(T(1 / M) * q_tr * x / sum), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
-    auto const by_rule = at.S * at.S * (sum + T(kappa) * x) < x * x * sum;
-    at.S = select<T>(by_rule, by_flow, at.S);
-    auto const at_tip = plastic && by_rule && root.x < surface.centre(p_c);  // where P cancels
-    if (any(at_tip)) [[unlikely]]
-      at.P = select<T>(at_tip, at.S * at.S / (p_c - at.p), at.P);
+    at.S = select<T>(at.S * at.S * (sum + T(kappa) * x) < x * x * sum, by_flow, at.S);
+    auto const tip = at.P < T(1e-6) * p_c;  // where P cancels
+    if (any(tip)) [[unlikely]]
+      at.P = select<T>(tip, at.S * at.S / (p_c - at.p), at.P);
     return {at, root.iterations, root.converged};
   }
 
  private:
+  /// The search goes on where the strength fell by decades, or follows the pressure steeply: in units of what is left,
+  /// and of what p_c asks of p.
+  template <Scalar T, class F, class S, class Condition>
+  [[nodiscard, gnu::noinline]] Root<T> refined(F const& residual, S const& strength, Condition again, T inner, T p_tr,
+                                               Root<T> root) const {
+    while (any(again)) {
+      T const p_c = strength(root.x), steepness = max(T(1.0), T(T(-1 / K) * hardening.slope(p_c, K)));
+      T const below = select<T>(again, inner, root.x), above = select<T>(again, p_tr, root.x);
+      int const evaluations = root.iterations;
+      root = bracketed_newton<T>(residual, below, above, root.x, T(tolerance) * p_c / steepness);
+      root.iterations += evaluations;
+      again = again && strength(root.x) < T(1e-3) * p_c;
+    }
+    return root;
+  }
+
   /// Pressure after one Newton step for 1/radius in u = 2 K M^2 dlambda, from u = 0, with frozen strength.
   template <Scalar T>
   [[nodiscard]] T start(T x_tr, T q_tr, T p_c_n, T inner, T p_tr) const {
