@@ -16,8 +16,7 @@ class LawOf final : public Offered<ChosenLaw, L> {
                                              double density) const override {
     MaterialOfSomeSpace made;
     for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
-      if (K::name == kinematics)
-        made = make_material<K, L>(name, density, this->parameters_);
+      if (K::name == kinematics) made = make_material<K, L>(name, density, this->parameters_);
     });
     return made;
   }
