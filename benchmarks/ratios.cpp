@@ -138,7 +138,7 @@ Result ratios(Options const& options) {
   measure<2, kernel::Quadratic, naive::Quadratic>({"2-D quadratic", 5.5, 8, 450}, options, tables);
   measure<2, kernel::Cubic, naive::Cubic>({"2-D cubic", 6.5, 8, 0}, options, tables);
   tables.rates.notes = {
-      "Flops are counted by hand for the algorithm, as in PERFORMANCE: 1800 (3-D quadratic), 3100 (3-D cubic), 450 "
+      "Flops are counted by hand for the algorithm: 1800 (3-D quadratic), 3100 (3-D cubic), 450 "
       "(2-D quadratic) a particle-step; the peak is that of packs of four doubles, measured in the same sitting."};
   tables.baseline.notes = {
       "Paired: slices of 0.1 s at least in turns, the ratio of each pair, median of the ratios. A core that is shared "
