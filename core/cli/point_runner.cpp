@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <map>
+#include <optional>
 
 #include "core/cli/runner.hpp"
 #include "core/cli/study_cases.hpp"
@@ -24,10 +24,11 @@ struct PointRun {
   std::vector<Quantity> quantities;
   std::vector<double> end;  ///< last row of the series
 
-  [[nodiscard]] std::size_t column(std::string const& name) const {
-    std::size_t k = 0;
-    while (quantities[k].name != name) ++k;
-    return k;
+  /// Place of a column; none where the law of this run has no such quantity.
+  [[nodiscard]] std::optional<std::size_t> column(std::string const& name) const {
+    for (std::size_t k = 0; k < quantities.size(); ++k)
+      if (quantities[k].name == name) return k;
+    return {};
   }
 };
 
@@ -62,50 +63,58 @@ PointRun run_point_case(StudyCase const& study_case, fs::path const& root, std::
   return run;
 }
 
-std::string label_of(Quantity const& q) {
-  return fmt::format("{} ({})", q.name, q.unit);
+/// A page for a picture, without curves yet; its labels are those of the first run that has both columns.
+io::CurvePage page_of(StudyPlan const& plan, PointPicture const& p, bool ends, std::vector<PointRun> const& runs) {
+  io::CurvePage page{(ends ? "end_" : "") + p.y + "_over_" + p.x, plan.title, p.x, p.y, ends, {}};
+  for (PointRun const& run : runs) {
+    auto const x = run.column(p.x), y = run.column(p.y);
+    if (!x || !y) continue;
+    page.x_label = fmt::format("{} ({})", p.x, run.quantities[*x].unit);
+    page.y_label = fmt::format("{} ({})", p.y, run.quantities[*y].unit);
+    break;
+  }
+  return page;
 }
 
-/// Pictures along the paths: a curve for each case.
+/// Pictures along the paths: a curve for each case that has both columns.
 std::vector<io::CurvePage> path_pages(StudyPlan const& plan, std::vector<PointRun> const& runs) {
   std::vector<io::CurvePage> pages;
-  PointRun const& any = runs.front();
   for (PointPicture const& p : plan.pictures) {
-    std::size_t const x = any.column(p.x), y = any.column(p.y);
-    io::CurvePage page{p.y + "_over_" + p.x,        plan.title, label_of(any.quantities[x]),
-                       label_of(any.quantities[y]), false,      {}};
+    io::CurvePage page = page_of(plan, p, false, runs);
     for (PointRun const& run : runs)
-      page.curves.push_back({run.label, "../" + run.folder + "/series.csv", x + 1, y + 1});
-    pages.push_back(std::move(page));
+      if (auto const x = run.column(p.x), y = run.column(p.y); x && y)
+        page.curves.push_back({run.label, "../" + run.folder + "/series.csv", *x + 1, *y + 1});
+    if (!page.curves.empty()) pages.push_back(std::move(page));
   }
   return pages;
 }
 
-/// Pictures of the ends of the paths: a curve for each value of the first axis, whose rows are in a file of its own.
+/// The name of the curve that the end of a run belongs to: the value of the first axis.
+std::string group_of(StudyPlan const& plan, PointRun const& run) {
+  if (plan.axes.empty()) return {};
+  std::string const& axis = plan.axes.front().path;
+  return axis.substr(axis.find_last_of('/') + 1) + "=" + run.at.front().dump();
+}
+
+/// Pictures of the ends of the paths: a curve for each value of the first axis, of points in a file of its own.
 std::vector<io::CurvePage> end_pages(StudyPlan const& plan, std::vector<PointRun> const& runs, fs::path const& plots) {
-  if (plan.ends.empty()) return {};
-  PointRun const& any = runs.front();
-  std::vector<std::pair<std::string, std::string>> groups;  // label, rows
-  for (PointRun const& run : runs) {
-    std::string const axis = plan.axes.empty() ? "" : plan.axes.front().path;
-    std::string const label =
-        plan.axes.empty() ? "" : axis.substr(axis.find_last_of('/') + 1) + "=" + run.at.front().dump();
-    if (groups.empty() || groups.back().first != label) groups.emplace_back(label, "# last rows\n");
-    std::string row;
-    for (double const value : run.end) row += fmt::format("{}{}", row.empty() ? "" : ",", value);
-    groups.back().second += row + "\n";
-  }
   std::vector<io::CurvePage> pages;
   for (PointPicture const& p : plan.ends) {
-    std::size_t const x = any.column(p.x), y = any.column(p.y);
-    io::CurvePage page{"end_" + p.y + "_over_" + p.x, plan.title, label_of(any.quantities[x]),
-                       label_of(any.quantities[y]),   true,       {}};
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::string const file = fmt::format("ends_{:03}.csv", g);
-      io::write_atomically(plots / file, groups[g].second);
-      page.curves.push_back({groups[g].first, file, x + 1, y + 1});
+    io::CurvePage page = page_of(plan, p, true, runs);
+    std::vector<std::pair<std::string, std::string>> groups;  // name, rows
+    for (PointRun const& run : runs) {
+      auto const x = run.column(p.x), y = run.column(p.y);
+      if (!x || !y || run.end.empty()) continue;
+      if (groups.empty() || groups.back().first != group_of(plan, run))
+        groups.emplace_back(group_of(plan, run), fmt::format("{},{}\n", p.x, p.y));
+      groups.back().second += fmt::format("{},{}\n", run.end[*x], run.end[*y]);
     }
-    pages.push_back(std::move(page));
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::string const file = fmt::format("{}_{:03}.csv", page.name, g);
+      io::write_atomically(plots / file, groups[g].second);
+      page.curves.push_back({groups[g].first, file, 1, 2});
+    }
+    if (!page.curves.empty()) pages.push_back(std::move(page));
   }
   return pages;
 }
@@ -124,10 +133,7 @@ std::string draw(StudyPlan const& plan, std::vector<PointRun> const& runs, fs::p
     }
   if (names.empty()) return {};
   io::write_atomically(plots / "pictures.gp", script);
-  std::string trouble = io::run_gnuplot(plots, "pictures.gp");
-  if (trouble.empty())
-    for (std::string const& name : names) fs::rename(plots / (name + ".tmp"), plots / name);
-  return trouble;
+  return io::run_gnuplot(plots, "pictures.gp", names);
 }
 
 nlohmann::json results_of(std::vector<PointRun> const& runs) {
@@ -141,13 +147,6 @@ nlohmann::json results_of(std::vector<PointRun> const& runs) {
   return results;
 }
 
-std::vector<Verdict> judge_case(StudyPlan const& plan, StudyCase const& study_case, fs::path const& folder) {
-  std::vector<ExpectedValue> expected;
-  for (StudyExpectation const& e : plan.expect)
-    if (e.at == study_case.values) expected.push_back(e.expected);
-  return judge(expected, io::read_series(folder / "series.csv"), study_case.label);
-}
-
 }  // namespace
 
 RunResult run_point(Document const& document, std::string_view given, RunOptions const& options) {
@@ -159,8 +158,8 @@ RunResult run_point(Document const& document, std::string_view given, RunOptions
   for (std::size_t k = 0; k < cases.size(); ++k) {
     runs.push_back(run_point_case(cases[k], options.folder, fmt::format("cases/case_{:03}", k), options.quiet));
     if (!runs.back().failure.empty()) total.code = computation_failed;
-    for (Verdict const& v : judge_case(plan, cases[k], options.folder / runs.back().folder))
-      total.verdicts.push_back(v);
+    io::Series const series = io::read_series(options.folder / runs.back().folder / "series.csv");
+    for (Verdict const& v : judge(expected_at(plan, cases[k]), series, cases[k].label)) total.verdicts.push_back(v);
   }
   for (Verdict const& v : total.verdicts)
     if (!v.passed && total.code == done) total.code = expectation_failed;

@@ -57,6 +57,13 @@ std::vector<StudyCase> cases_of(StudyPlan const& plan) {
   return cases;
 }
 
+std::vector<ExpectedValue> expected_at(StudyPlan const& plan, StudyCase const& study_case) {
+  std::vector<ExpectedValue> expected;
+  for (StudyExpectation const& e : plan.expect)
+    if (e.at == study_case.values) expected.push_back(e.expected);
+  return expected;
+}
+
 std::vector<std::string> study_mistakes(StudyPlan const& plan, std::vector<StudyCase> const& cases) {
   std::vector<std::string> wrong;
   for (StudyCase const& c : cases)

@@ -18,6 +18,9 @@ struct StudyCase {
 /// Every combination, the last axis fastest. Throws InputError where an axis leads nowhere in the base case.
 [[nodiscard]] std::vector<StudyCase> cases_of(StudyPlan const& plan);
 
+/// The expectations that a study has of a case.
+[[nodiscard]] std::vector<ExpectedValue> expected_at(StudyPlan const& plan, StudyCase const& study_case);
+
 /// What is wrong with the cases, and expectations that belong to none of them; one line each.
 [[nodiscard]] std::vector<std::string> study_mistakes(StudyPlan const& plan, std::vector<StudyCase> const& cases);
 

@@ -61,11 +61,9 @@ RunResult run_study(Document const& document, std::string_view given, RunOptions
       v.where = cases[k].label;
       total.verdicts.push_back(v);
     }
-    std::vector<ExpectedValue> expected;
-    for (StudyExpectation const& e : plan.expect)
-      if (e.at == cases[k].values) expected.push_back(e.expected);
     if (result.code == done || result.code == expectation_failed)
-      for (Verdict const& v : judge(expected, io::read_series(own.folder / "series.csv"), cases[k].label))
+      for (Verdict const& v :
+           judge(expected_at(plan, cases[k]), io::read_series(own.folder / "series.csv"), cases[k].label))
         total.verdicts.push_back(v);
     if (result.code == computation_failed) total.code = computation_failed;
     nlohmann::json row = std::move(result.summary);

@@ -37,7 +37,8 @@ class FileActions {
 
 }  // namespace
 
-std::string run_gnuplot(std::filesystem::path const& folder, std::string const& script) {
+std::string run_gnuplot(std::filesystem::path const& folder, std::string const& script,
+                        std::vector<std::string> const& pictures) {
   auto const log = std::filesystem::path(script).replace_extension(".log").string();
   std::string program = "gnuplot", without_user_settings = "-d", name = script;
   std::array<char*, 4> arguments{program.data(), without_user_settings.data(), name.data(), nullptr};
@@ -48,8 +49,14 @@ std::string run_gnuplot(std::filesystem::path const& folder, std::string const& 
   if (error != 0) return "gnuplot cannot be started: " + std::generic_category().message(error);
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
-  return fmt::format("gnuplot failed; see {}", (folder / log).string());
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    return fmt::format("gnuplot failed; see {}", (folder / log).string());
+  for (std::string const& picture : pictures) {
+    std::error_code trouble;
+    std::filesystem::rename(folder / (picture + ".tmp"), folder / picture, trouble);
+    if (trouble) throw FileError("cannot put in place " + (folder / picture).string() + ": " + trouble.message());
+  }
+  return "";
 }
 
 std::string gnuplot_string(std::string_view text) {

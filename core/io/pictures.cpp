@@ -116,15 +116,6 @@ std::vector<Page> particle_pages(fs::path const& run_folder, std::vector<Instant
   return pages;
 }
 
-/// Gives the pictures their names once they are complete.
-void put_in_place(fs::path const& plots, std::vector<std::string> const& names) {
-  for (auto const& name : names) {
-    std::error_code error;
-    fs::rename(plots / (name + ".tmp"), plots / name, error);
-    if (error) throw FileError("cannot put in place " + (plots / name).string() + ": " + error.message());
-  }
-}
-
 }  // namespace
 
 std::string draw_pictures(fs::path const& run_folder, PictureOptions const& options) {
@@ -152,9 +143,7 @@ std::string draw_pictures(fs::path const& run_folder, PictureOptions const& opti
   }
   if (names.empty()) return "the run has neither particles nor a series to show";
   write_atomically(plots / "pictures.gp", script);
-  auto trouble = run_gnuplot(plots, "pictures.gp");
-  if (trouble.empty()) put_in_place(plots, names);
-  return trouble;
+  return run_gnuplot(plots, "pictures.gp", names);
 }
 
 }  // namespace talus::io

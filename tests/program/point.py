@@ -41,6 +41,14 @@ class Point(InFolder):
             for extension in ("png", "svg"):
                 self.assertGreater((self.folder / f"out/plots/{name}.{extension}").stat().st_size, 2000)
 
+    def test_a_law_on_an_axis_needs_the_columns_that_are_drawn(self):
+        law = {"type": "von_mises_duvaut_lions", "young_modulus": 2.6, "poisson_ratio": 0.3}
+        document = {**copy.deepcopy(SHEAR), "law": law, "expect": [], "pictures": [{"x": "time", "y": "shear_rate"}],
+                    "axes": [{"path": "/law/type", "values": ["von_mises_duvaut_lions", "hencky"]}]}
+        told = self.point(document, code=3).stderr
+        self.assertIn("type=hencky", told)
+        self.assertIn("/pictures/0/y: found 'shear_rate'", told)
+
     def test_an_expectation_that_is_missed_ends_with_its_code(self):
         table = self.point(SHEAR, "--no-pictures").stdout
         self.assertIn("1 of 1 expectations met", table)
