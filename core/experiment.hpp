@@ -17,7 +17,8 @@ struct Quantity {
 };
 
 /// The columns of the series in D dimensions with walls of these names.
-[[nodiscard]] std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls);
+/// ledger: with what the ledger tells.
+[[nodiscard]] std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls, bool ledger);
 
 /// What is composed, for people: one line each.
 struct Explanation {
@@ -37,6 +38,18 @@ struct Explanation {
   double wave_speed = 0, courant = 0;  ///< fastest wave [m/s]; c dt / h of the first step
 };
 
+/// What became of a quantity that is conserved: its terms, and what they leave over.
+struct Balance {
+  struct Term {
+    std::string name;
+    std::vector<double> value;
+  };
+  std::string name, unit;
+  std::vector<Term> terms;
+  std::vector<double> residual;
+  double relative = 0;  ///< size of the residual over that of the largest term [1]
+};
+
 class Experiment {
  public:
   Experiment() = default;
@@ -54,6 +67,10 @@ class Experiment {
   /// The columns of the series, and their values now.
   [[nodiscard]] virtual std::vector<Quantity> quantities() const = 0;
   [[nodiscard]] virtual std::vector<double> measure() const = 0;
+
+  /// Mass, momentum, angular momentum (where no axis repeats) and energy since the start; none where the case keeps no
+  /// ledger.
+  [[nodiscard]] virtual std::vector<Balance> balances() const = 0;
 
   /// What is stored of the particles, in the order of storage.
   [[nodiscard]] virtual Snapshot state() const = 0;

@@ -5,6 +5,24 @@
 
 namespace talus {
 
+/// Calls f(number) for every number of a ledger, always in the same order.
+template <class Ledger, class F>
+void for_each_number(Ledger& ledger, F const& f) {
+  auto const vector = [&](auto& v) {
+    for (auto& number : v) f(number);
+  };
+  for (auto* totals : {&ledger.start, &ledger.now}) {
+    for (auto* number : {&totals->kinetic, &totals->elastic, &totals->second_moment}) f(*number);
+    for (auto* v : {&totals->momentum, &totals->first_moment}) vector(*v);
+    vector(totals->spin);
+  }
+  f(ledger.body_force.work);
+  vector(ledger.body_force.impulse);
+  vector(ledger.body_force.torque);
+  for (auto* number : {&ledger.gravity, &ledger.walls, &ledger.plastic, &ledger.transfer, &ledger.stepping}) f(*number);
+  for (auto* v : {&ledger.gravity_torque, &ledger.wall_torque, &ledger.transfer_spin}) vector(*v);
+}
+
 template <int D>
 io::Checkpoint ExperimentOf<D>::checkpoint() const {
   io::Checkpoint saved{state(), {}};
@@ -18,7 +36,10 @@ io::Checkpoint ExperimentOf<D>::checkpoint() const {
   std::vector<double> momentum(simulation_->momentum().gravity.begin(), simulation_->momentum().gravity.end());
   for (Point<D> const& impulse : simulation_->momentum().walls)
     momentum.insert(momentum.end(), impulse.begin(), impulse.end());
+  std::vector<double> ledger;
+  for_each_number(simulation_->ledger(), [&](double number) { ledger.push_back(number); });
   saved.values = {{"block_keys", keys},
+                  {"ledger", ledger},
                   {"run_blocks", blocks},
                   {"run_materials", materials},
                   {"run_particles", counts},
@@ -60,14 +81,22 @@ void ExperimentOf<D>::restore(io::Checkpoint const& saved) {
       for (int k = 0; k < column.components; ++k) particles.set(slot, column.offset + k, named->values[next++]);
     });
   }
+  Ledger<D> ledger;
+  auto const& entries = saved.value<std::vector<double>>("ledger");
+  std::size_t next_entry = 0;
+  for_each_number(ledger, [&](double& number) {
+    if (next_entry == entries.size()) throw CheckpointError("the checkpoint's ledger is not whole");
+    number = entries[next_entry++];
+  });
   Momentum<D> momentum;
   momentum.walls.assign(walls, Point<D>::Zero());
   for (int d = 0; d < D; ++d) momentum.gravity[d] = numbers[static_cast<std::size_t>(d)];
   for (std::size_t w = 0; w < walls; ++w)
     for (int d = 0; d < D; ++d) momentum.walls[w][d] = numbers[(w + 1) * D + static_cast<std::size_t>(d)];
-  simulation_->resume(
-      places, saved.particles.time, static_cast<long>(saved.particles.step), saved.value<double>("drift"),
-      {.speed = saved.value<double>("speed"), .gradient = saved.value<double>("gradient")}, std::move(momentum));
+  simulation_->resume(places, saved.particles.time, static_cast<long>(saved.particles.step),
+                      saved.value<double>("drift"),
+                      {.speed = saved.value<double>("speed"), .gradient = saved.value<double>("gradient")},
+                      std::move(momentum), ledger);
   first_front_ = saved.value<double>("first_front");
 }
 

@@ -35,6 +35,9 @@ Explanation ExperimentOf<D>::explain() const {
        {"remap", "the integrator takes the gradient from the moved nodes"});
   told.stages.push_back({"grid to particles", "velocity, position, dt L"});
   told.stages.push_back({"law", "trial strain, return map, state"});
+  when(scene.keeps_ledger, told.stages, told.left_out,
+       {"ledger", "work, losses and angular momentum of the step, each by a sum of its own"},
+       {"ledger", "/output/ledger is none"});
   if (!affine) told.left_out.push_back({"affine velocity", "not stored: the transfer's mode is constant"});
   if (!stages.incremental && !stages.remaps)
     told.left_out.push_back({"second node velocity", "no increment and no remap asks for one"});

@@ -9,7 +9,7 @@ template <int D>
 std::vector<Quantity> ExperimentOf<D>::quantities() const {
   std::vector<std::string> walls;
   for (auto const& wall : simulation_->scene().walls) walls.push_back(wall->name);
-  return series_quantities(D, walls);
+  return series_quantities(D, walls, simulation_->scene().keeps_ledger);
 }
 
 template <int D>
@@ -42,6 +42,12 @@ std::vector<double> ExperimentOf<D>::measure() const {
                                -first_moment.dot(simulation_->scene().gravity), volume()});
   for (Point<D> const& impulse : simulation_->momentum().walls)
     for (int d = 0; d < D; ++d) values.push_back(impulse[d]);
+  if (simulation_->scene().keeps_ledger) {
+    Ledger<D> const& l = simulation_->ledger();
+    values.insert(values.end(), l.now.spin.begin(), l.now.spin.end());
+    values.insert(values.end(),
+                  {l.now.kinetic, l.gravity, l.walls, l.plastic, l.transfer, l.stepping, l.relative_energy_residual()});
+  }
   return values;
 }
 

@@ -27,6 +27,7 @@ class ExperimentOf final : public Experiment {
 
   [[nodiscard]] std::vector<Quantity> quantities() const override;
   [[nodiscard]] std::vector<double> measure() const override;
+  [[nodiscard]] std::vector<Balance> balances() const override;
   [[nodiscard]] Snapshot state() const override;
   [[nodiscard]] Snapshot frame() const override;
   [[nodiscard]] io::Checkpoint checkpoint() const override;
@@ -63,6 +64,7 @@ class ExperimentOf final : public Experiment {
 
 }  // namespace talus
 
+#include "core/experiment_balances.hpp"
 #include "core/experiment_checkpoint.hpp"
 #include "core/experiment_explain.hpp"
 #include "core/experiment_measure.hpp"

@@ -31,26 +31,35 @@ class GridPass {
     sums_.assign(grid.node_blocks() * sums_size(), NodeVector(0.0));
     nodes_.assign(grid.node_blocks() * node_size(), NodeVector(0.0));
     impulses_.assign(grid.node_blocks() * scene_.walls.size(), Point<D>::Zero());
+    auto const nodes = grid.node_blocks() * static_cast<std::size_t>(nodes_per_block);
+    body_.assign(scene_.body_force ? nodes : 0, NodeVector(0.0));
+    momenta_.assign(scene_.keeps_ledger ? nodes : 0, NodeVector(0.0));
+    before_.resize(scene_.keeps_ledger ? nodes : 0);
     mass_floor_ = scene_.stages->mass_floor * particle_mass;
   }
 
   /// Forgets what was added and not moved.
-  void clear() { std::fill(sums_.begin(), sums_.end(), NodeVector(0.0)); }
+  void clear() {
+    for (auto* sums : {&sums_, &body_, &momenta_}) std::fill(sums->begin(), sums->end(), NodeVector(0.0));
+  }
 
   /// Adds an arena of particle block b to the nodes; the arena is zero afterwards. Not at the same time as another
   /// block of a different colour.
   void add(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) {
-    auto const& blocks = grid.nodes_around(b);
-    for (int n = 0; n < neighbour_count<D>; ++n)
-      scene_.stages->add_arena(
-          arena, n, sums_.data() + static_cast<std::size_t>(blocks[static_cast<std::size_t>(n)]) * sums_size());
+    for_each_node_block(grid, b, [&](int n, std::size_t block) {
+      scene_.stages->add_arena(arena, n, sums_.data() + block * sums_size());
+    });
   }
-  /// The same of the momentum of moved particles.
-  void add_again(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) {
-    auto const& blocks = grid.nodes_around(b);
-    for (int n = 0; n < neighbour_count<D>; ++n)
-      scene_.stages->add_arena_again(
-          arena, n, sums_.data() + static_cast<std::size_t>(blocks[static_cast<std::size_t>(n)]) * sums_size());
+  /// The same of arenas of one vector a node: the momentum of moved particles, for `remap`; that of particles which have
+  /// not moved, for the ledger; the impulse of the body force.
+  void add_moved(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) {
+    add_single(grid, b, arena, sums_, sums_size());
+  }
+  void add_momentum(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) {
+    add_single(grid, b, arena, momenta_, nodes_per_block);
+  }
+  void add_body_force(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) {
+    add_single(grid, b, arena, body_, nodes_per_block);
   }
 
   /// Moves the nodes from t to t + dt; adds the impulse of each wall to `impulses`. What was added is used up.
@@ -73,11 +82,13 @@ class GridPass {
 
   /// Copies the nodes that particle block b reaches into `arena`.
   void load(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena) const {
-    auto const& blocks = grid.nodes_around(b);
-    for (int n = 0; n < neighbour_count<D>; ++n)
-      scene_.stages->load_arena(
-          nodes_.data() + static_cast<std::size_t>(blocks[static_cast<std::size_t>(n)]) * node_size(), n, arena);
+    for_each_node_block(grid, b, [&](int n, std::size_t block) {
+      scene_.stages->load_arena(nodes_.data() + block * node_size(), n, arena);
+    });
   }
+
+  /// What the ledger asks of the nodes after a step of dt, once they hold what the particles are told.
+  [[nodiscard]] NodeTotals<D> account(BlockGrid<D> const& grid, double dt) const;
 
   /// Vectors of an arena that particles scatter into, and of one that they gather from.
   [[nodiscard]] std::size_t summed_size() const {
@@ -86,7 +97,10 @@ class GridPass {
   [[nodiscard]] std::size_t told_size() const {
     return static_cast<std::size_t>(scene_.stages->arena_nodes * scene_.stages->told);
   }
-  [[nodiscard]] std::size_t bytes() const { return (sums_.size() + nodes_.size()) * sizeof(NodeVector); }
+  [[nodiscard]] std::size_t bytes() const {
+    return (sums_.size() + nodes_.size() + body_.size() + momenta_.size()) * sizeof(NodeVector) +
+           before_.size() * sizeof(Before);
+  }
 
  private:
   [[nodiscard]] std::size_t sums_size() const {
@@ -96,18 +110,45 @@ class GridPass {
     return static_cast<std::size_t>(nodes_per_block * scene_.stages->told);
   }
 
+  /// Calls f(n, node block) for the blocks around particle block b.
+  template <class F>
+  void for_each_node_block(BlockGrid<D> const& grid, std::size_t b, F const& f) const {
+    auto const& blocks = grid.nodes_around(b);
+    for (int n = 0; n < neighbour_count<D>; ++n) f(n, static_cast<std::size_t>(blocks[static_cast<std::size_t>(n)]));
+  }
+  void add_single(BlockGrid<D> const& grid, std::size_t b, NodeVector* arena, std::vector<NodeVector>& sums,
+                  std::size_t pitch) {
+    for_each_node_block(
+        grid, b, [&](int n, std::size_t block) { scene_.stages->add_single(arena, n, sums.data() + block * pitch); });
+  }
+
+  /// A node before the walls answered: for the ledger.
+  struct Before {
+    double mass = 0;
+    NodeVector old, free;      ///< v^old and v* [m/s]
+    NodeVector impulse, body;  ///< of stress, and of the body force [kg m/s]
+  };
+  [[nodiscard]] Before before(std::size_t node, double mass, NodeVector momentum, NodeVector pushed,
+                              NodeVector free) const;
+  [[nodiscard]] NodeTotals<D> account_block(BlockGrid<D> const& grid, std::size_t b, double dt) const;
+
   /// The walls that a block's nodes may touch.
   struct Near {
     Point<D> corner;  ///< place of the block's first node
     std::array<int, most_walls> walls;
     std::size_t count = 0;
-
-    [[nodiscard]] Point<D> node(int n, double spacing) const {
-      Point<D> x = corner;
-      for (int d = D - 1; d >= 0; --d, n /= block_edge) x[d] += spacing * (n % block_edge);
-      return x;
-    }
   };
+  [[nodiscard]] Point<D> corner_of(BlockGrid<D> const& grid, std::size_t b) const {
+    Point<D> corner;
+    for (int d = 0; d < D; ++d)
+      corner[d] = scene_.spacing * block_edge * grid.node_block(b)[static_cast<std::size_t>(d)];
+    return corner;
+  }
+  /// Place of node n of the block that begins at x.
+  [[nodiscard]] Point<D> node_from(Point<D> x, int n) const {
+    for (int d = D - 1; d >= 0; --d, n /= block_edge) x[d] += scene_.spacing * (n % block_edge);
+    return x;
+  }
   [[nodiscard]] Near near(BlockGrid<D> const& grid, std::size_t b, double t) const;
 
   void move_block(BlockGrid<D> const& grid, std::size_t b, double t, double dt, NodeVector* sums);
@@ -116,9 +157,12 @@ class GridPass {
                     Point<D>* impulses) const;
 
   Scene<D> const& scene_;
-  std::vector<NodeVector> sums_;    ///< of momentum and mass, and what else a node sums; zero between steps
-  std::vector<NodeVector> nodes_;   ///< velocities
-  std::vector<Point<D>> impulses_;  ///< of each node block and wall
+  std::vector<NodeVector> sums_;     ///< of momentum and mass, and what else a node sums; zero between steps
+  std::vector<NodeVector> nodes_;    ///< velocities
+  std::vector<NodeVector> body_;     ///< impulses of the body force, where there is one
+  std::vector<NodeVector> momenta_;  ///< momentum and mass, where the ledger is kept
+  std::vector<Before> before_;       ///< likewise
+  std::vector<Point<D>> impulses_;   ///< of each node block and wall
   double mass_floor_ = 0;
 };
 
@@ -126,8 +170,7 @@ class GridPass {
 template <int D>
 typename GridPass<D>::Near GridPass<D>::near(BlockGrid<D> const& grid, std::size_t b, double t) const {
   Near near;
-  BlockIndex<D> const place = grid.node_block(b);
-  for (int d = 0; d < D; ++d) near.corner[d] = scene_.spacing * block_edge * place[static_cast<std::size_t>(d)];
+  near.corner = corner_of(grid, b);
   Point<D> const centre = near.corner + Point<D>::Constant(0.5 * (block_edge - 1) * scene_.spacing);
   double const reach = scene_.spacing * (1 + 0.5 * (block_edge - 1) * std::sqrt(double(D)));
   for (std::size_t w = 0; w < scene_.walls.size(); ++w)
@@ -145,7 +188,7 @@ NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, dou
   std::size_t count = 0;
   Point<D> v;
   for (int d = 0; d < D; ++d) v[d] = velocity[d];
-  Point<D> const x = near.node(n, scene_.spacing) + dt * v;
+  Point<D> const x = node_from(near.corner, n) + dt * v;
   // a node of next to no mass may be thrown beyond the walls that are near
   bool const far = !(dt * v.norm() <= scene_.spacing);
   std::size_t const candidates = far ? scene_.walls.size() : near.count;
@@ -186,6 +229,7 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     NodeVector* out = nodes_.data() + b * node_size() + n * stages.told;
     if (!(mass > 0)) {
       std::fill_n(out, stages.told, NodeVector(0.0));
+      if (scene_.keeps_ledger) before_[b * nodes_per_block + static_cast<std::size_t>(n)] = {};
       continue;
     }
     NodeVector const old = momentum / NodeVector(mass);
@@ -198,6 +242,9 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     } else if (stages.friction) {
       friction = old[3];
     }
+    std::size_t const node = b * nodes_per_block + static_cast<std::size_t>(n);
+    if (scene_.body_force) v += body_[node] / NodeVector(std::max(mass, mass_floor_));
+    if (scene_.keeps_ledger) before_[node] = before(node, mass, momentum, sums[(n + 1) * stages.summed - 1], v);
     if (near.count > 0 || (walls && fast(v))) v = walled(near, n, t, dt, mass, friction, v, impulses);
     out[0] = D == 2 ? beside(v, stages.incremental ? old : v) : v;
     if (stages.told == 2) out[1] = old;
@@ -222,3 +269,5 @@ void GridPass<D>::remap_block(BlockGrid<D> const& grid, std::size_t b, double t,
 }
 
 }  // namespace talus
+
+#include "core/grid_account.hpp"

@@ -69,7 +69,7 @@ std::vector<Components6> MaterialPoint<D>::after(std::span<Components6 const> mo
   }
   Motion lost;
   Load<D> load;
-  material_->update(batch(chunk), &gradient, dt, lost, &load, false);
+  material_->update(batch(chunk), &gradient, dt, lost, &load, false, nullptr);
   std::vector<Lanes> derived;
   material_->derive(batch(chunk), 0, derived);
   std::vector<Components6> stresses(motions.size());

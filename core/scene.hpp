@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/block_grid.hpp"
+#include "core/body_force.hpp"
 #include "core/material.hpp"
 #include "core/stages.hpp"
 #include "core/wall.hpp"
@@ -28,6 +29,8 @@ struct Scene {
   std::vector<std::unique_ptr<Material<D>>> materials;
   std::vector<std::unique_ptr<Wall<D>>> walls;
   std::unique_ptr<Stages<D>> stages;
+  std::unique_ptr<BodyForce<D>> body_force;  ///< besides gravity; usually there is none
+  bool keeps_ledger = false;                 ///< energy and angular momentum are accounted for in every step
 
   /// The fields that the parts ask for, each once.
   [[nodiscard]] Layout layout() const {

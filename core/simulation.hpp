@@ -51,7 +51,10 @@ class Simulation {
   [[nodiscard]] double drift() const { return drift_; }
   [[nodiscard]] long sorts() const { return sorts_; }
   [[nodiscard]] Momentum<D> const& momentum() const { return momentum_; }
+  /// Of the steps so far, where the scene keeps one.
+  [[nodiscard]] Ledger<D> const& ledger() const { return ledger_; }
   [[nodiscard]] Motion const& motion() const { return motion_; }
+  [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] TimeStep last_step() const { return last_; }
   [[nodiscard]] std::size_t bytes() const { return particles_.bytes() + pass_.bytes(); }
 
@@ -59,10 +62,11 @@ class Simulation {
   void begin() {
     measure();
     sort();
+    if (scene_.keeps_ledger) ledger_.start = ledger_.now = totals();
   }
   /// Goes on from a checkpoint, whose particles are in their order, with the blocks of these keys.
   void resume(std::vector<std::uint64_t> keys, double time, long steps, double drift, Motion motion,
-              Momentum<D> momentum) {
+              Momentum<D> momentum, Ledger<D> const& ledger) {
     measure();
     grid_.build(std::move(keys));
     resize();
@@ -72,6 +76,7 @@ class Simulation {
     drift_ = drift;
     motion_ = motion;
     momentum_ = std::move(momentum);
+    ledger_ = ledger;
   }
 
   /// The step that `advance` would take towards `end` [s].
@@ -83,6 +88,7 @@ class Simulation {
   void advance(double end);
 
  private:
+  struct Scratch;
   void measure();
   void sort() {
     particles_.sort(grid_, scene_.spacing, scene_.stages->base_shift);
@@ -90,6 +96,7 @@ class Simulation {
     drift_ = 0;
     scattered_for_ = 0;
     ++sorts_;
+    if (scene_.keeps_ledger) ledger_.now.first_moment = totals().first_moment;  // a period may have been taken off
   }
   void resize();
   void particles_to_grid(double dt);
@@ -97,7 +104,12 @@ class Simulation {
   void grid_to_particles(double dt, double next);
   /// Length of the step after this one, where nothing but the stiffness will limit it; else 0. [s]
   [[nodiscard]] double foreseen(double end) const;
+  /// What `particles_to_grid` sends besides: the impulse of the body force, and the momentum for the ledger.
+  void push(Batch<D> const& batch, double dt, std::vector<Point<D>>& impulses) const;
+  void extras_to_grid(std::size_t block, std::size_t ahead, double dt, Scratch& own);
   void map_back(double dt);
+  [[nodiscard]] Totals<D> totals();
+  void enter(double dt);
   /// Id of the fastest particle.
   [[nodiscard]] long fastest() const;
   /// Material and fields of a particle, a line each.
@@ -109,6 +121,13 @@ class Simulation {
     std::vector<NodeVector> summed;  ///< nodes that a block scatters into; zero between blocks
     std::vector<Load<D>> loads;
     std::vector<Matrix<Lanes, D>> dt_gradient;
+    std::vector<Point<D>> impulses;  ///< of the body force on the particles of a run
+  };
+  /// A block's share of the ledger's sums of one step.
+  struct Share {
+    Totals<D> after;
+    StrainWork strain;
+    BodyForceTotals<D> body_force;
   };
   Scratch& scratch() { return scratch_[static_cast<std::size_t>(thread_number())]; }
 
@@ -141,6 +160,8 @@ class Simulation {
   GridPass<D> pass_;
   std::vector<Scratch> scratch_;
   std::vector<Motion> motions_;
+  std::vector<Share> shares_;
+  Ledger<D> ledger_;
   Motion motion_;
   Momentum<D> momentum_;
   TimeStep last_;
@@ -151,6 +172,7 @@ class Simulation {
 
 }  // namespace talus
 
+#include "core/simulation_extras.hpp"
 #include "core/simulation_step.hpp"
 
 namespace talus {

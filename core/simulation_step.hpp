@@ -32,6 +32,7 @@ template <int D>
 void Simulation<D>::resize() {
   pass_.resize(grid_, largest_mass_);
   motions_.resize(grid_.particle_blocks());
+  shares_.resize(scene_.keeps_ledger ? grid_.particle_blocks() : 0);
   scratch_.resize(static_cast<std::size_t>(thread_count()));
   auto const chunks = static_cast<std::size_t>(particles_.most_chunks_of_a_run());
   for (Scratch& s : scratch_) {
@@ -47,6 +48,7 @@ inline constexpr double drift_limit = 0.5 - 1e-6;
 
 template <int D>
 double Simulation<D>::foreseen(double end) const {
+  if (scene_.keeps_ledger || scene_.body_force) return 0;
   double const elastic = elastic_step(scene_), after = time_ + last_.dt;
   bool const sorted_first = drift_ + last_.dt * motion_.speed / scene_.spacing > drift_limit;
   return last_.limiter == "elastic" && end - after > elastic && !sorted_first ? elastic : 0;
@@ -72,6 +74,7 @@ void Simulation<D>::advance(double end) {
   grid_to_particles(dt, scattered_for_);
 
   momentum_.gravity += mass_ * dt * scene_.gravity;
+  if (scene_.keeps_ledger) enter(dt);
   motion_ = {};
   for (Motion const& motion : motions_) motion_.unite(motion);
   if (motion_.failed >= 0) stop(dt);
@@ -89,6 +92,7 @@ void Simulation<D>::particles_to_grid(double dt) {
       scene_.stages->scatter(batch, own.loads.data(), dt, own.summed.data());
     });
     pass_.add(grid_, block, own.summed.data());
+    extras_to_grid(block, ahead, dt, own);
   });
 }
 
@@ -98,9 +102,9 @@ void Simulation<D>::map_back(double dt) {
     pass_.load(grid_, block, own.told.data());
     for_each_run(block, ahead, [&](Material<D> const&, Batch<D> const& batch) {
       scene_.stages->gather(batch, own.told.data(), dt, own.dt_gradient.data(), motions_[block]);
-      scene_.stages->scatter_again(batch, own.summed.data());
+      scene_.stages->scatter_momentum(batch, own.summed.data());
     });
-    pass_.add_again(grid_, block, own.summed.data());
+    pass_.add_moved(grid_, block, own.summed.data());
   });
   pass_.remap(grid_, time_, dt);
 }
@@ -111,13 +115,22 @@ void Simulation<D>::grid_to_particles(double dt, double next) {
   for_each_block([&](std::size_t block, std::size_t ahead, Scratch& own) {
     Motion& motion = motions_[block] = {};
     pass_.load(grid_, block, own.told.data());
+    Share* share = scene_.keeps_ledger ? &(shares_[block] = {}) : nullptr;
     for_each_run(block, ahead, [&](Material<D> const& material, Batch<D> const& batch) {
+      bool const driven = share != nullptr && scene_.body_force;
+      if (driven) {
+        push(batch, dt, own.impulses);
+        share->body_force += body_force_totals(batch, own.impulses, -1 / dt);
+      }
       if (stages.remaps)
         stages.gather_again(batch, own.told.data(), dt, own.dt_gradient.data(), motion);
       else
         stages.gather(batch, own.told.data(), dt, own.dt_gradient.data(), motion);
       Load<D>* loads = next > 0 ? own.loads.data() : nullptr;
-      material.update(batch, own.dt_gradient.data(), dt, motion, loads, stages.friction);
+      material.update(batch, own.dt_gradient.data(), dt, motion, loads, stages.friction,
+                      share != nullptr ? &share->strain : nullptr);
+      if (share != nullptr) share->after += totals_of(batch, stages.inertia * scene_.spacing * scene_.spacing);
+      if (driven) share->body_force.work += body_force_totals(batch, own.impulses, 1 / dt).work;
       // a particle that has left its arena is not scattered: the step that follows sorts, or does not come
       bool const within = motion.failed < 0 && drift_ + dt * motion.speed / scene_.spacing <= drift_limit;
       if (next > 0 && within) stages.scatter(batch, loads, next, own.summed.data());

@@ -2,6 +2,7 @@
 /// The transfers of a composition at run time: kernel, transfer and integrator, called once a batch of particles.
 
 #include "core/grid_to_particles.hpp"
+#include "core/impulses_to_grid.hpp"
 #include "core/integrator.hpp"
 #include "core/particles_to_grid.hpp"
 #include "core/transfer.hpp"
@@ -21,6 +22,7 @@ class Stages {
   double base_shift = 0;     ///< of the kernel
   double sharpness = 0;      ///< q of the isolated-particle bound on the time step
   double mass_floor = 0;     ///< least mass, in masses of a particle, that an internal force accelerates
+  double inertia = 0;        ///< D_p / h^2 where the transfer is affine
 
   Stages() = default;
   Stages(Stages const&) = delete;
@@ -33,9 +35,10 @@ class Stages {
   /// Moves what an arena holds of node block number n there; copies what an arena needs of it.
   virtual void add_arena(NodeVector* arena, int n, NodeVector* block) const = 0;
   virtual void load_arena(NodeVector const* block, int n, NodeVector* arena) const = 0;
-  /// Momentum of the moved particles, one vector a node.
-  virtual void scatter_again(Batch<D> const&, NodeVector* arena) const = 0;
-  virtual void add_arena_again(NodeVector* arena, int n, NodeVector* block) const = 0;
+  /// Momentum and mass of the particles, one vector a node; impulses of the particles likewise.
+  virtual void scatter_momentum(Batch<D> const&, NodeVector* arena) const = 0;
+  virtual void scatter_impulses(Batch<D> const&, std::vector<Point<D>> const& impulses, NodeVector* arena) const = 0;
+  virtual void add_single(NodeVector* arena, int n, NodeVector* block) const = 0;
   /// Gradient of the remapped velocity, and the particles' new places.
   virtual void gather_again(Batch<D> const&, NodeVector const* arena, double dt, Matrix<Lanes, D>* dt_gradient,
                             Motion&) const = 0;
@@ -62,6 +65,7 @@ class StagesOf final : public Stages<dimension> {
     this->base_shift = K::base_shift;
     this->sharpness = K::sharpness - (T::affine ? 0.5 / K::inertia : 0);
     this->mass_floor = K::mass_floor;
+    this->inertia = T::affine ? K::inertia : 0;
   }
 
   void declare(Layout& layout) const override { layout.unite(typename T::State{}); }
@@ -96,13 +100,17 @@ class StagesOf final : public Stages<dimension> {
     grid_to_particles<D, K, gather>(batch, arena, dt, transfer_.alpha, dt_gradient, motion);
   }
 
-  void scatter_again(Batch<D> const& batch, NodeVector* arena) const override {
-    if constexpr (I::remaps)
-      particles_to_grid<D, K, Scatter{.affine = T::affine, .loaded = false}>(batch, nullptr, 0, arena);
+  void scatter_momentum(Batch<D> const& batch, NodeVector* arena) const override {
+    particles_to_grid<D, K, Scatter{.affine = T::affine, .loaded = false}>(batch, nullptr, 0, arena);
   }
 
-  void add_arena_again(NodeVector* arena, int n, NodeVector* block) const override {
-    if constexpr (I::remaps) talus::add_arena<D, edge, 1>(arena, n, block);
+  void scatter_impulses(Batch<D> const& batch, std::vector<Point<D>> const& impulses,
+                        NodeVector* arena) const override {
+    impulses_to_grid<D, K>(batch, impulses, arena);
+  }
+
+  void add_single(NodeVector* arena, int n, NodeVector* block) const override {
+    talus::add_arena<D, edge, 1>(arena, n, block);
   }
 
   void gather_again(Batch<D> const& batch, NodeVector const* arena, double dt, Matrix<Lanes, D>* dt_gradient,

@@ -97,15 +97,35 @@ struct TimeEntry {
   }
 };
 
+/// Whether a run accounts for energy and angular momentum.
+namespace ledger {
+struct EachStep {
+  static constexpr std::string_view name = "each_step",
+                                    title = "Every term of energy and angular momentum is summed up in every step";
+  struct Parameters {
+    static constexpr auto table() { return std::tuple{}; }
+  };
+};
+struct None {
+  static constexpr std::string_view name = "none", title = "Nothing is summed up; a step is the faster for it";
+  struct Parameters {
+    static constexpr auto table() { return std::tuple{}; }
+  };
+};
+}  // namespace ledger
+
 struct OutputEntry {
   double frames_every = 0.1, series_every = 0.002, checkpoints_every = 0.1;
+  Choice<TypeList<ledger::EachStep, ledger::None>> ledger =
+      Choice<TypeList<ledger::EachStep, ledger::None>>::of<ledger::EachStep>();
   static constexpr auto table() {
     return std::tuple{
         parameter(&OutputEntry::frames_every, "frames_every", "", "s", "time between frames", at_least(1e-9)),
         parameter(&OutputEntry::series_every, "series_every", "", "s", "time between rows of the series",
                   at_least(1e-9)),
         parameter(&OutputEntry::checkpoints_every, "checkpoints_every", "", "s", "time between checkpoints",
-                  at_least(1e-9))};
+                  at_least(1e-9)),
+        parameter(&OutputEntry::ledger, "ledger", "the account of energy and angular momentum in the summary")};
   }
 };
 

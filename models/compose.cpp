@@ -129,6 +129,7 @@ std::unique_ptr<Experiment> compose_in(Case const& document) {
   for (MaterialEntry const& m : document.materials)
     scene.materials.push_back(std::get<std::unique_ptr<Material<D>>>(m.law->material(K::name, m.name, m.density)));
   scene.walls = walls_of<D>(document);
+  scene.keeps_ledger = document.output.ledger.holds<ledger::EachStep>();
   scene.stages = stages_of<D>(document);
   std::vector<Filling<D>> fillings;
   for (std::size_t k = 0; k < document.bodies.size(); ++k)

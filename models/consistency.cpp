@@ -97,7 +97,7 @@ void check_transfer(Case const& document, Mistakes& wrong) {
 void check_measures(Case const& document, int D, Mistakes& wrong) {
   std::vector<std::string> walls;
   for (WallEntry const& entry : document.walls) walls.push_back(entry.name);
-  auto const known = series_quantities(D, walls);
+  auto const known = series_quantities(D, walls, document.output.ledger.holds<ledger::EachStep>());
   std::string names;
   for (Quantity const& q : known) names += (names.empty() ? "" : ", ") + q.name;
   for (std::size_t k = 0; k < document.expect.size(); ++k)

@@ -64,7 +64,7 @@ class Prepared {
   /// Trial strain and return map.
   void law() {
     for_each_run([&](Run const&, Batch<D> const& batch, std::size_t first) {
-      material().update(batch, &gradients_[first], dt_, motion_, nullptr, false);
+      material().update(batch, &gradients_[first], dt_, motion_, nullptr, false, nullptr);
     });
   }
   void sort() { simulation_->begin(); }

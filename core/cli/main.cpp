@@ -36,6 +36,7 @@ int report(RunResult const& result, Arguments const& arguments) {
     fmt::print("{}\n", result.summary.dump(2));
   else {
     if (!result.verdicts.empty()) fmt::print("{}", verdict_table(result.verdicts));
+    fmt::print("{}", ledger_lines(result.summary));
     fmt::print("results in {}\n", arguments.run.folder.string());
   }
   return result.code;

@@ -166,6 +166,13 @@ nlohmann::json Run::summary(ExitCode code, std::vector<Verdict> const& verdicts)
   document["state_hash"] = io::state_hash(experiment().state());
   std::vector<double> const values = experiment().measure();
   for (std::size_t k = 0; k < values.size(); ++k) document["measures"][columns_[k].name] = values[k];
+  for (Balance const& balance : experiment().balances()) {
+    nlohmann::json& entry = document["ledgers"][balance.name];
+    entry["unit"] = balance.unit;
+    for (Balance::Term const& t : balance.terms) entry["terms"][t.name] = t.value;
+    entry["residual"] = balance.residual;
+    entry["relative_residual"] = balance.relative;
+  }
   document["expectations"] = verdict_document(verdicts);
   return document;
 }

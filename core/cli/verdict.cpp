@@ -79,4 +79,18 @@ nlohmann::json verdict_document(std::vector<Verdict> const& verdicts) {
   return list;
 }
 
+std::string ledger_lines(nlohmann::json const& summary) {
+  std::string text;
+  if (!summary.contains("ledgers")) return text;
+  for (auto const& [name, ledger] : summary.at("ledgers").items()) {
+    text += fmt::format("{:16}  closes to {:.1e} of its largest term\n", name,
+                        ledger.at("relative_residual").get<double>());
+    if (name != "energy") continue;
+    for (auto const& [term, value] : ledger.at("terms").items())
+      text +=
+          fmt::format("  {:16}  {:>11.4g} {}\n", term, value.at(0).get<double>(), ledger.at("unit").get<std::string>());
+  }
+  return text;
+}
+
 }  // namespace talus::cli

@@ -29,4 +29,7 @@ struct Verdict {
 [[nodiscard]] std::string verdict_table(std::vector<Verdict> const& verdicts);
 [[nodiscard]] nlohmann::json verdict_document(std::vector<Verdict> const& verdicts);
 
+/// The ledgers of a run's summary as lines for people; empty where it kept none.
+[[nodiscard]] std::string ledger_lines(nlohmann::json const& summary);
+
 }  // namespace talus::cli

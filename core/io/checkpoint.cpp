@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view title = "talus checkpoint, format ";
-constexpr int format = 2;  // 1: blocks by the node below, a cell of drift
+constexpr int format = 3;  // 1: blocks by the node below, a cell of drift; 2: no ledger
 constexpr std::size_t header_size = 512;
 
 void write_columns(hid_t file, Snapshot const& snapshot) {
