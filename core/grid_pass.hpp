@@ -250,6 +250,8 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     if (stages.told == 2) out[1] = old;
   }
   std::fill_n(sums, sums_size(), NodeVector(0.0));
+  for (auto* more : {&body_, &momenta_})
+    if (!more->empty()) std::fill_n(more->data() + b * nodes_per_block, nodes_per_block, NodeVector(0.0));
 }
 
 template <int D>

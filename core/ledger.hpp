@@ -40,8 +40,9 @@ template <int D>
 }
 
 /// Of strain, over particles [J]: sum V^0 tau : dt L, and the energy stored before, on trial and after.
+template <class T = double>
 struct StrainWork {
-  double power = 0, before = 0, trial = 0, after = 0;
+  T power = T(0.0), before = T(0.0), trial = T(0.0), after = T(0.0);
 
   StrainWork& operator+=(StrainWork const& b) {
     power += b.power;
@@ -116,8 +117,8 @@ struct Ledger {
   Spin<D> gravity_torque = Spin<D>::Zero(), wall_torque = Spin<D>::Zero(), transfer_spin = Spin<D>::Zero();
 
   /// Enters a step of dt under gravity g; `after`: the particles at its end.
-  void enter(double dt, Point<D> const& g, Totals<D> const& after, StrainWork const& strain, NodeTotals<D> const& nodes,
-             BodyForceTotals<D> const& body) {
+  void enter(double dt, Point<D> const& g, Totals<D> const& after, StrainWork<> const& strain,
+             NodeTotals<D> const& nodes, BodyForceTotals<D> const& body) {
     body_force += body;
     gravity += g.dot(after.first_moment - now.first_moment);
     walls += nodes.walls;
@@ -148,33 +149,51 @@ struct Ledger {
   }
 };
 
-/// Sums over the particles of a batch, but for their elastic energy. inertia: D_p [m^2].
+/// Sum over lanes, in their order.
+[[nodiscard]] inline double sum_of(Lanes const& values) {
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane) sum += values[lane];
+  return sum;
+}
+
+/// Sums over the particles of a batch, but for their elastic energy. inertia: D_p [m^2]. Empty lanes have no mass.
 template <int D>
 [[nodiscard]] Totals<D> totals_of(Batch<D> const& batch, double inertia) {
-  Totals<D> sum;
-  for (int p = 0; p < batch.particles; ++p) {
-    Lanes const* chunk = batch.chunk(p / lanes);
-    int const lane = p % lanes;
-    double const m = chunk[batch.at.mass][lane];
-    Point<D> x, v;
+  constexpr int spins = D == 2 ? 1 : 3;
+  Lanes square(0.0), second(0.0), momentum[D]{}, first[D]{}, spin[spins]{};
+  for (int c = 0; c < batch.count; ++c) {
+    Lanes const* chunk = batch.chunk(c);
+    Lanes const m = chunk[batch.at.mass], *x = chunk + batch.at.position, *v = chunk + batch.at.velocity;
+    Lanes v_square(0.0), x_square(0.0);
     for (int d = 0; d < D; ++d) {
-      x[d] = chunk[batch.at.position + d][lane];
-      v[d] = chunk[batch.at.velocity + d][lane];
+      v_square += v[d] * v[d];
+      x_square += x[d] * x[d];
+      momentum[d] += m * v[d];
+      first[d] += m * x[d];
     }
-    double square = v.squaredNorm();
-    sum.spin += m * cross<D>(x, v);
-    if (batch.at.affine >= 0) {
-      Eigen::Matrix<double, D, D> C;
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j) C(i, j) = chunk[batch.at.affine + i * D + j][lane];
-      square += inertia * C.squaredNorm();
-      for (int d = 0; d < D; ++d) sum.spin += m * inertia * cross<D>(Point<D>::Unit(d), C.col(d));
+    for (int k = 0; k < spins; ++k) {
+      int const i = D == 2 ? 0 : (k + 1) % 3, j = D == 2 ? 1 : (k + 2) % 3;
+      Lanes own = x[i] * v[j] - x[j] * v[i];
+      if (batch.at.affine >= 0) {
+        Lanes const* C = chunk + batch.at.affine;
+        own += Lanes(inertia) * (C[j * D + i] - C[i * D + j]);
+      }
+      spin[k] += m * own;
     }
-    sum.kinetic += 0.5 * m * square;
-    sum.momentum += m * v;
-    sum.first_moment += m * x;
-    sum.second_moment += m * x.squaredNorm();
+    if (batch.at.affine >= 0)
+      for (int k = 0; k < D * D; ++k)
+        v_square += Lanes(inertia) * chunk[batch.at.affine + k] * chunk[batch.at.affine + k];
+    square += m * v_square;
+    second += m * x_square;
   }
+  Totals<D> sum;
+  sum.kinetic = 0.5 * sum_of(square);
+  sum.second_moment = sum_of(second);
+  for (int d = 0; d < D; ++d) {
+    sum.momentum[d] = sum_of(momentum[d]);
+    sum.first_moment[d] = sum_of(first[d]);
+  }
+  for (int k = 0; k < spins; ++k) sum.spin[k] = sum_of(spin[k]);
   return sum;
 }
 

@@ -52,7 +52,7 @@ class Material {
   /// Trial strain from dt L, return map, new state; then what `load` gives, unless `loads` is null. dt_gradient and
   /// loads have one entry a chunk. Adds to `work` unless it is null.
   virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
-                      Load<D>* loads, bool friction, StrainWork* work) const = 0;
+                      Load<D>* loads, bool friction, StrainWork<>* work) const = 0;
   /// Stored energy of the batch [J].
   [[nodiscard]] virtual double elastic_energy(Batch<D> const& batch) const = 0;
   /// d_s lambda + 2 G [Pa]: the modulus that limits the time step.
@@ -104,7 +104,8 @@ class MaterialOf final : public Material<Kinematics::dimension> {
   }
 
   [[gnu::flatten]] void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
-                               Load<D>* loads, bool friction, StrainWork* work) const override {
+                               Load<D>* loads, bool friction, StrainWork<>* work) const override {
+    StrainWork<Lanes> sum;
     for (int c = 0; c < batch.count; c += chunks_at_once) {
       WideStrain trial;
       WideState records;
@@ -118,12 +119,13 @@ class MaterialOf final : public Material<Kinematics::dimension> {
         int const own = c + k;
         Strain const eps{get(after.entries, k)};
         State const state{get(records.values, k)};
-        if (work != nullptr) account(batch, own, dt_gradient[own], Strain{get(trial.entries, k)}, eps, *work);
+        if (work != nullptr) account(batch, own, dt_gradient[own], Strain{get(trial.entries, k)}, eps, sum);
         write(batch, own, eps, state);
         if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
         check(batch, own, dt_gradient[own], eps, state, motion);
       }
     }
+    if (work != nullptr) *work += {sum_of(sum.power), sum_of(sum.before), sum_of(sum.trial), sum_of(sum.after)};
   }
 
   [[nodiscard]] double elastic_energy(Batch<D> const& batch) const override {
@@ -182,19 +184,16 @@ class MaterialOf final : public Material<Kinematics::dimension> {
     for (std::size_t e = 0; e < n; ++e) values[e] = of_chunk(wide[e], k);
     return values;
   }
-  /// Adds the work of chunk c, whose old strain is still stored.
+  /// Adds the work of chunk c, whose old strain is still stored. Empty lanes have no mass.
   [[gnu::noinline]] void account(Batch<D> const& batch, int c, Matrix<Lanes, D> const& H, Strain const& trial,
-                                 Strain const& eps, StrainWork& work) const {
+                                 Strain const& eps, StrainWork<Lanes>& work) const {
     Lanes const* chunk = batch.chunk(c);
     Strain const old = strain(batch, chunk), tau = law_.stress(old);
     Lanes power(0.0);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) power += tau(i, j) * H(i, j);
     Lanes const volume = chunk[batch.at.mass] * Lanes(1.0 / this->density);
-    Lanes const before = volume * law_.energy(old), on_trial = volume * law_.energy(trial),
-                after = volume * law_.energy(eps);
-    power *= volume;
-    for (int lane = 0; lane < batch.filled(c); ++lane) work += {power[lane], before[lane], on_trial[lane], after[lane]};
+    work += {volume * power, volume * law_.energy(old), volume * law_.energy(trial), volume * law_.energy(eps)};
   }
   void write(Batch<D> const& batch, int c, Strain const& eps, State const& state) const {
     Lanes* chunk = batch.chunk(c);

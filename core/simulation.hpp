@@ -105,8 +105,8 @@ class Simulation {
   /// Length of the step after this one, where nothing but the stiffness will limit it; else 0. [s]
   [[nodiscard]] double foreseen(double end) const;
   /// What `particles_to_grid` sends besides: the impulse of the body force, and the momentum for the ledger.
-  void push(Batch<D> const& batch, double dt, std::vector<Point<D>>& impulses) const;
-  void extras_to_grid(std::size_t block, std::size_t ahead, double dt, Scratch& own);
+  void push(Batch<D> const& batch, double t, double dt, std::vector<Point<D>>& impulses) const;
+  void extras_to_grid(std::size_t block, std::size_t ahead, double t, double dt, Scratch& own);
   void map_back(double dt);
   [[nodiscard]] Totals<D> totals();
   void enter(double dt);
@@ -126,7 +126,7 @@ class Simulation {
   /// A block's share of the ledger's sums of one step.
   struct Share {
     Totals<D> after;
-    StrainWork strain;
+    StrainWork<> strain;
     BodyForceTotals<D> body_force;
   };
   Scratch& scratch() { return scratch_[static_cast<std::size_t>(thread_number())]; }

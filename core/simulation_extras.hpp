@@ -5,15 +5,15 @@
 
 namespace talus {
 
-/// Impulse of the body force on the particles of a batch in a step of dt that begins now.
+/// Impulse of the body force on the particles of a batch in the step from t to t + dt.
 template <int D>
-void Simulation<D>::push(Batch<D> const& batch, double dt, std::vector<Point<D>>& impulses) const {
+void Simulation<D>::push(Batch<D> const& batch, double t, double dt, std::vector<Point<D>>& impulses) const {
   impulses.resize(static_cast<std::size_t>(batch.particles));
   for (int p = 0; p < batch.particles; ++p) {
     Lanes const* chunk = batch.chunk(p / lanes);
     auto const id = static_cast<long>(chunk[batch.at.identity][p % lanes]);
     impulses[static_cast<std::size_t>(p)] =
-        chunk[batch.at.mass][p % lanes] * dt * scene_.body_force->acceleration(id, time_);
+        chunk[batch.at.mass][p % lanes] * dt * scene_.body_force->acceleration(id, t);
   }
 }
 
@@ -31,10 +31,10 @@ BodyForceTotals<D> body_force_totals(Batch<D> const& batch, std::vector<Point<D>
 }
 
 template <int D>
-void Simulation<D>::extras_to_grid(std::size_t block, std::size_t ahead, double dt, Scratch& own) {
+void Simulation<D>::extras_to_grid(std::size_t block, std::size_t ahead, double t, double dt, Scratch& own) {
   if (scene_.body_force) {
     for_each_run(block, ahead, [&](Material<D> const&, Batch<D> const& batch) {
-      push(batch, dt, own.impulses);
+      push(batch, t, dt, own.impulses);
       scene_.stages->scatter_impulses(batch, own.impulses, own.summed.data());
     });
     pass_.add_body_force(grid_, block, own.summed.data());

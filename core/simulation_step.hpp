@@ -48,7 +48,6 @@ inline constexpr double drift_limit = 0.5 - 1e-6;
 
 template <int D>
 double Simulation<D>::foreseen(double end) const {
-  if (scene_.keeps_ledger || scene_.body_force) return 0;
   double const elastic = elastic_step(scene_), after = time_ + last_.dt;
   bool const sorted_first = drift_ + last_.dt * motion_.speed / scene_.spacing > drift_limit;
   return last_.limiter == "elastic" && end - after > elastic && !sorted_first ? elastic : 0;
@@ -92,7 +91,7 @@ void Simulation<D>::particles_to_grid(double dt) {
       scene_.stages->scatter(batch, own.loads.data(), dt, own.summed.data());
     });
     pass_.add(grid_, block, own.summed.data());
-    extras_to_grid(block, ahead, dt, own);
+    if (scene_.keeps_ledger || scene_.body_force) extras_to_grid(block, ahead, time_, dt, own);
   });
 }
 
@@ -115,11 +114,13 @@ void Simulation<D>::grid_to_particles(double dt, double next) {
   for_each_block([&](std::size_t block, std::size_t ahead, Scratch& own) {
     Motion& motion = motions_[block] = {};
     pass_.load(grid_, block, own.told.data());
+    // a particle that has left its arena is not scattered: the step that follows sorts, or does not come
+    auto const within = [&] { return motion.failed < 0 && drift_ + dt * motion.speed / scene_.spacing <= drift_limit; };
     Share* share = scene_.keeps_ledger ? &(shares_[block] = {}) : nullptr;
     for_each_run(block, ahead, [&](Material<D> const& material, Batch<D> const& batch) {
       bool const driven = share != nullptr && scene_.body_force;
       if (driven) {
-        push(batch, dt, own.impulses);
+        push(batch, time_, dt, own.impulses);
         share->body_force += body_force_totals(batch, own.impulses, -1 / dt);
       }
       if (stages.remaps)
@@ -131,11 +132,12 @@ void Simulation<D>::grid_to_particles(double dt, double next) {
                       share != nullptr ? &share->strain : nullptr);
       if (share != nullptr) share->after += totals_of(batch, stages.inertia * scene_.spacing * scene_.spacing);
       if (driven) share->body_force.work += body_force_totals(batch, own.impulses, 1 / dt).work;
-      // a particle that has left its arena is not scattered: the step that follows sorts, or does not come
-      bool const within = motion.failed < 0 && drift_ + dt * motion.speed / scene_.spacing <= drift_limit;
-      if (next > 0 && within) stages.scatter(batch, loads, next, own.summed.data());
+      if (next > 0 && within()) stages.scatter(batch, loads, next, own.summed.data());
     });
-    if (next > 0) pass_.add(grid_, block, own.summed.data());
+    if (next > 0) {
+      pass_.add(grid_, block, own.summed.data());
+      if ((scene_.keeps_ledger || scene_.body_force) && within()) extras_to_grid(block, ahead, time_ + dt, next, own);
+    }
   });
 }
 

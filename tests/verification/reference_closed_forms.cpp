@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/strain_paths.hpp"
+#include "verification/suite/strain_paths.hpp"
 #include "verification/reference/closed_forms.hpp"
 #include "verification/reference/cvode_path.hpp"
 #include "verification/reference/ida_path.hpp"
@@ -12,11 +12,11 @@
 using namespace talus;
 using namespace talus::reference;
 using boost::test_tools::tolerance;
-using support::eighths;
-using support::elastic;
-using support::glass;
-using support::soft;
-using support::under_pressure;
+using verification::eighths;
+using verification::elastic;
+using verification::glass;
+using verification::soft;
+using verification::under_pressure;
 
 namespace {
 

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/support/strain_paths.hpp"
+#include "verification/suite/strain_paths.hpp"
 #include "verification/reference/cvode_path.hpp"
 #include "verification/reference/gsl_path.hpp"
 #include "verification/reference/ida_path.hpp"
 
 using namespace talus;
 using namespace talus::reference;
-using support::difference;
-using support::eighths;
-using support::glass;
-using support::soft;
-using support::StrainPath;
-using support::under_pressure;
+using verification::difference;
+using verification::eighths;
+using verification::glass;
+using verification::soft;
+using verification::StrainPath;
+using verification::under_pressure;
 
 namespace {
 
@@ -36,7 +36,7 @@ RateLaw mu_i(Elasticity const& e, double beta) {
 void compare(Law const& make, std::vector<StrainPath> const& paths, std::vector<double> const& betas) {
   for (double const beta : betas)
     for (auto const& path : paths) {
-      auto const law = make(support::elastic(path.normals), beta);
+      auto const law = make(verification::elastic(path.normals), beta);
       auto const start = under_pressure(law.elastic, path.p);
       auto const times = eighths(path.path.front().duration);
       auto const rows = cvode_path(law, start, path.path, times);
@@ -66,15 +66,15 @@ Path back_and_forth() {
 BOOST_AUTO_TEST_SUITE(reference_integrators)
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_rate_independent_cam_clay) {
-  compare(&rate_independent, support::strain_paths(0), {0, 0.1, 0.3});
+  compare(&rate_independent, verification::strain_paths(0), {0, 0.1, 0.3});
 }
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_the_consistent_mu_of_I_law) {
-  compare(&mu_i, support::strain_paths(0.3), {0, 0.1, 0.3});
+  compare(&mu_i, verification::strain_paths(0.3), {0, 0.1, 0.3});
 }
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_the_other_viscous_cam_clay_laws) {
-  auto const paths = support::strain_paths(0.3);
+  auto const paths = verification::strain_paths(0.3);
   auto const perzyna = [](Elasticity const& e, double beta) {
     return cam_clay_perzyna(e, {0.4, beta}, soft(), {0.02, 0.7});
   };
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_cones) {
     compare([=](Elasticity const& e, double) { return cone_perzyna(e, surface, {0.02, 0.7}); }, paths, {0});
     compare([=](Elasticity const& e, double) { return cone_duvaut_lions(e, surface, {1e-5}); }, paths, {0});
   };
-  auto paths = support::strain_paths(0.1);
+  auto paths = verification::strain_paths(0.1);
   of({0, 20}, paths);
   std::erase_if(paths, [](StrainPath const& path) {  // the one ends in the tip, the other stays elastic
     return path.name == "pure shear and extension" || path.name == "isotropic compression";
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_cones) {
 
 BOOST_AUTO_TEST_CASE(unloading_is_found_by_all) {
   for (auto const& make : {Law(&rate_independent), Law(&mu_i)}) {
-    auto const law = make(support::elastic(3), 0.1);
+    auto const law = make(verification::elastic(3), 0.1);
     auto const start = under_pressure(law.elastic, 60);
     std::vector<double> times;
     for (int k = 1; k <= 23; ++k) times.push_back(k * 1e-4);
@@ -117,10 +117,10 @@ BOOST_AUTO_TEST_CASE(unloading_is_found_by_all) {
 }
 
 BOOST_AUTO_TEST_CASE(ida_equals_cvode_where_all_is_strain_controlled) {
-  for (auto const& path : support::strain_paths(0.1)) {
+  for (auto const& path : verification::strain_paths(0.1)) {
     if (path.path.front().turn != 0) continue;  // a mixed segment has fixed axes
     for (auto const& make : {Law(&rate_independent), Law(&mu_i)}) {
-      auto const law = make(support::elastic(path.normals), 0.1);
+      auto const law = make(verification::elastic(path.normals), 0.1);
       auto const start = under_pressure(law.elastic, path.p);
       auto const times = eighths(path.path.front().duration);
       BOOST_TEST_CONTEXT(path.name) {
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(ida_equals_cvode_where_all_is_strain_controlled) {
 
 BOOST_AUTO_TEST_CASE(turning_axes_are_those_of_an_observer_who_turns) {
   // in a frame that turns with R(omega t), the gradient R l R^T is l - omega [0 -1; 1 0]
-  auto const law = mu_i(support::elastic(3), 0.1);
+  auto const law = mu_i(verification::elastic(3), 0.1);
   double const omega = 200, time = 5e-3;
   Matrix const l = velocity_gradient(5, -4, -1, 3);
   Matrix seen = l;
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(turning_axes_are_those_of_an_observer_who_turns) {
 }
 
 BOOST_AUTO_TEST_CASE(a_law_that_is_not_defined_stops_with_a_reason) {
-  auto const viscous = mu_i(support::elastic(2), 0), rigid = rate_independent(support::elastic(2), 0);
+  auto const viscous = mu_i(verification::elastic(2), 0), rigid = rate_independent(verification::elastic(2), 0);
   double const e = 100 / viscous.elastic.G();  // q = 100 Pa, above mu_2 S
   State start = under_pressure(viscous.elastic, 60);
   start.eps.diagonal() += Eigen::Vector3d(e / 2, -e / 2, 0);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/support/strain_paths.hpp"
+#include "verification/suite/strain_paths.hpp"
 #include "verification/reference/closed_forms.hpp"
 #include "verification/reference/cvode_path.hpp"
 #include "verification/reference/return_maps.hpp"
@@ -14,9 +14,9 @@
 using namespace talus;
 using namespace talus::reference;
 using boost::test_tools::tolerance;
-using support::elastic;
-using support::glass;
-using support::soft;
+using verification::elastic;
+using verification::glass;
+using verification::soft;
 
 namespace {
 
@@ -66,7 +66,7 @@ template <class Map>
 void tends_to_first_order(std::string const& name, RateLaw const& law, Course const& c, Map map) {
   double const v = c.volume / law.elastic.normals, s = 0.5 * c.shear;
   Path const path{{c.time, velocity_gradient(v + s, v - s, law.elastic.normals == 3 ? v : 0, 0), 0}};
-  auto const exact = cvode_path(law, support::under_pressure(law.elastic, c.p_0), path, {c.time}).front();
+  auto const exact = cvode_path(law, verification::under_pressure(law.elastic, c.p_0), path, {c.time}).front();
   auto const error = [&](int n) {
     auto const end = stepped(law.elastic, c, n, map);
     return std::hypot(end.p - exact.p, end.q - exact.q) / exact.p_c;
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(steps_on_a_cone_tend_to_the_rate_equations) {
                        [&](auto const& s, double dt) { return cone_step(e, surface, duvaut_lions, s, dt); });
   auto const end = stepped(e, course, 10, [&](auto const& s, double) { return cone_step(e, surface, s); });
   Path const path{{course.time, velocity_gradient(5 - 1e-3 / 3, -5 - 1e-3 / 3, -1e-3 / 3, 0), 0}};
-  auto const exact = cvode_path(cone(e, surface), support::under_pressure(e, 60), path, {course.time}).front();
+  auto const exact = cvode_path(cone(e, surface), verification::under_pressure(e, 60), path, {course.time}).front();
   BOOST_TEST(end.q == exact.q, tolerance(1e-9));  // without viscosity a step is exact
   BOOST_TEST(end.q == surface.M * end.p + surface.c, tolerance(1e-14));
 }

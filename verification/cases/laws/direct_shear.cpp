@@ -1,7 +1,11 @@
-/// Direct shear at constant normal stress: the driver of `talus point` against IDA, which knows neither the driver nor the
-/// law's map.
+/// Direct shear at constant normal stress, figure 25 of the source with both signs of the change of volume: the driver of
+/// `talus point` against IDA, which knows neither the driver nor the law's map.
+///
+/// The rate equations with mu(I) have no rate on the cap, where an isotropic load beyond p_c0 ends: with it there are
+/// strengths above the load alone.
 
-#include <boost/test/unit_test.hpp>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/material_point.hpp"
@@ -9,11 +13,12 @@
 #include "models/laws/cam_clay_mu_i_consistent.hpp"
 #include "models/laws/modified_cam_clay.hpp"
 #include "models/make.hpp"
-#include "tests/support/strain_paths.hpp"
 #include "verification/reference/closed_forms.hpp"
 #include "verification/reference/ida_path.hpp"
+#include "verification/suite/cases.hpp"
+#include "verification/suite/strain_paths.hpp"
 
-using namespace talus;
+namespace talus::verification {
 
 namespace {
 
@@ -58,13 +63,13 @@ double distance(std::vector<Sample> const& samples, std::vector<reference::Row> 
 
 /// After isotropic loading by the normal stress: on the cap where that is above p_c0.
 reference::State loaded(reference::RateLaw const& rates, double p_c0, double xi) {
-  auto state = support::under_pressure(rates.elastic, normal_stress);
+  auto state = under_pressure(rates.elastic, normal_stress);
   state.eps_V = std::min(0.0, std::log(p_c0 / normal_stress) / xi);
   return state;
 }
 
 template <class L, class Rates>
-void compare(double p_c0, Rates const& rates_of) {
+void compare(Findings& findings, double p_c0, Rates const& rates_of) {
   typename L::Parameters parameters;
   parameters.p_c0 = p_c0, parameters.xi = 100;
   auto const rates = rates_of(parameters);
@@ -72,35 +77,37 @@ void compare(double p_c0, Rates const& rates_of) {
   for (int k = 1; k <= tenths; ++k) times.push_back(duration * k / tenths);
   auto const rows =
       reference::ida_path(rates, loaded(rates, p_c0, parameters.xi), reference::direct_shear(1, duration), times);
-  double const coarse = distance(driven<L>(parameters, 3000), rows), fine = distance(driven<L>(parameters, 6000), rows);
-  BOOST_TEST_MESSAGE(L::name << ", p_c0/sigma_n " << p_c0 / normal_stress << ": from IDA by " << coarse
-                             << ", with half "
-                             << "the step " << fine);
-  BOOST_TEST(fine < 1e-3);
-  BOOST_TEST(fine < 0.6 * coarse);
+  auto const samples = driven<L>(parameters, 6000);
+  double const coarse = distance(driven<L>(parameters, 3000), rows), fine = distance(samples, rows);
+  std::string const subject = fmt::format("{}, p_c0/sigma_n = {}", L::name, p_c0 / normal_stress);
+  findings.check(subject, "distance from IDA's path, 6000 steps", fine, at_most(1e-3),
+                 "of the normal stress; first order");
+  findings.check(subject, "that over the one with 3000 steps", fine / coarse, at_most(0.6), "first order: 0.5");
   double const plateau = std::log(p_c0 / (2 * normal_stress)) / parameters.xi;
-  BOOST_TEST(std::abs(rows.back().state.eps_V - plateau) < 0.01 * 0.0139);
+  findings.check(subject, "plateau of the plastic volumetric strain, less the exact one",
+                 std::abs(samples.back().eps_V - plateau), at_most(0.01 * 0.0139), "1 % of the largest plateau");
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_SUITE(direct_shear)
-
-// Figure 25 of the source: both signs of the change of volume.
-BOOST_AUTO_TEST_CASE(without_viscosity_the_driver_follows_ida_along_the_path) {
+void run(Findings& findings) {
   for (double const p_c0 : {50.0, 100.0, 200.0, 400.0, 800.0})
-    compare<law::CamClay>(p_c0, [](law::CamClay::Parameters const& p) {
+    compare<law::CamClay>(findings, p_c0, [](law::CamClay::Parameters const& p) {
       return reference::cam_clay({p.E, p.nu, 3}, {p.M, p.beta}, reference::ExponentialStrength{p.p_c0, p.xi});
     });
-}
-
-// The rate equations have no rate on the cap, where an isotropic load beyond p_c0 ends: strengths above the load alone.
-BOOST_AUTO_TEST_CASE(with_mu_of_I_the_driver_follows_ida_along_the_path) {
   for (double const p_c0 : {120.0, 150.0, 200.0, 400.0, 800.0})
-    compare<law::CamClayMuIConsistent>(p_c0, [](law::CamClayMuIConsistent::Parameters const& p) {
+    compare<law::CamClayMuIConsistent>(findings, p_c0, [](law::CamClayMuIConsistent::Parameters const& p) {
       return reference::cam_clay_mu_i({p.E, p.nu, 3}, p.beta, reference::ExponentialStrength{p.p_c0, p.xi},
                                       {p.mu_1, p.mu_2, p.I_0, p.d, p.rho_s});
     });
 }
 
-BOOST_AUTO_TEST_SUITE_END()
+}  // namespace
+
+Case const laws_direct_shear{"laws/direct_shear",
+                             "Direct shear of a material point",
+                             "IDA, relative tolerance 1e-13, and the plateau in closed form",
+                             "figure 25 of Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643",
+                             1,
+                             30,
+                             run};
+
+}  // namespace talus::verification

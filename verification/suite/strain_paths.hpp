@@ -10,7 +10,7 @@
 
 #include "verification/reference/path.hpp"
 
-namespace talus::support {
+namespace talus::verification {
 
 inline double tangent(double degrees) {
   return std::tan(degrees * std::numbers::pi / 180);
@@ -79,4 +79,4 @@ inline double difference(std::vector<reference::Row> const& a, std::vector<refer
   return most;
 }
 
-}  // namespace talus::support
+}  // namespace talus::verification
