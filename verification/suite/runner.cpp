@@ -1,5 +1,6 @@
 #include "verification/suite/runner.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
