@@ -2,6 +2,7 @@
 // show curves, a note of the point under the pointer, and its numbers as a table.
 
 const chartWidth = 640, chartHeight = 400, chartMargin = {left: 78, right: 14, top: 12, bottom: 48};
+const curveColours = 12;
 const markerShapes = ["circle", "square", "diamond", "triangle", "cross"];
 
 /** One axis: where values lie between two ends in pixels. Logarithmic axes take positive numbers alone. */
@@ -94,8 +95,8 @@ function drawAxes(chart, x, y) {
 }
 
 function drawCurve(curve, x, y, points) {
-  const group = element("g", {class: `curve ${curve.guide ? "guide" : ""} ${curve.kind || ""}`, style: undefined});
-  group.style.setProperty("--colour", curve.guide ? "var(--dim)" : curve.kind === "front" ? "var(--ink)" : `var(--curve-${curve.colour % 8})`);
+  const group = element("g", {class: `curve ${curve.guide ? "guide" : ""} ${curve.kind || ""}`});
+  group.style.setProperty("--colour", curve.guide ? "var(--dim)" : curve.kind === "front" ? "var(--ink)" : `var(--curve-${curve.colour % curveColours})`);
   const seen = curve.x.map((value, k) => ({x: value, y: curve.y[k], note: curve.notes?.[k], curve}))
       .filter((p) => x.holds(p.x) && y.holds(p.y)).map((p) => ({...p, at: [x.place(p.x), y.place(p.y)]}));
   if (seen.length > 1)
@@ -141,6 +142,13 @@ function legendButton(curve, group) {
     group.style.display = curve.hidden ? "none" : "";
     button.setAttribute("aria-pressed", String(!curve.hidden));
   }}, swatch, curve.name);
+  // whoever points at a name sees its curve before the others
+  const focus = (on) => {
+    group.classList.toggle("focus", on);
+    group.ownerSVGElement.classList.toggle("focused", on);
+  };
+  for (const [event, on] of [["pointerenter", true], ["focus", true], ["pointerleave", false], ["blur", false]])
+    button.addEventListener(event, () => focus(on && !curve.hidden));
   button.style.setProperty("--colour", group.style.getPropertyValue("--colour"));
   return button;
 }
@@ -156,7 +164,7 @@ function numbersOf(chart) {
 /** A figure of {title, x_label, y_label, log_x, log_y, curves: [{name, x, y, guide}]}, as in results.json. */
 function chartFigure(chart) {
   let count = 0;
-  const curves = chart.curves.map((curve) => ({marker: markerShapes[Math.floor(count / 8) % 5], colour: curve.guide ? 0 : count++, ...curve}));
+  const curves = chart.curves.map((curve) => ({marker: markerShapes[Math.floor(count / curveColours) % 5], colour: curve.guide ? 0 : count++, ...curve}));
   const judged = curves.some((c) => !c.guide) ? curves : [];
   const x = new Axis(judged.flatMap((c) => c.x), chart.log_x, chartMargin.left, chartWidth - chartMargin.right);
   const y = new Axis(judged.flatMap((c) => c.y), chart.log_y, chartHeight - chartMargin.bottom, chartMargin.top);

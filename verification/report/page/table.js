@@ -29,10 +29,10 @@ function rowColumns(compared) {
     {title: "verdict", text: (r) => r.verdict, key: (r) => verdictOrder.indexOf(r.verdict), cell: (r) => verdictBadge(r.verdict)},
     {title: "time", number: true, text: (r) => durationText(r.cost.seconds), key: (r) => r.cost.seconds},
     {title: "particle-steps", number: true, text: (r) => largeText(r.cost.particle_steps), key: (r) => r.cost.particle_steps},
-    {title: "why", text: (r) => r.because, wide: true},
+    {title: "why", text: (r) => r.because, wide: "wide why"},
   ];
   if (compared) columns.splice(7, 0,
-    {title: "earlier", number: true, text: (r) => r.change?.earlier_verdict ? valueText(numberOf(r.change, "earlier"), r.unit) : "", key: (r) => r.change ? numberOf(r.change, "earlier") : NaN},
+    {title: "earlier", number: true, text: (r) => r.change?.earlier_verdict && measured(r) ? valueText(numberOf(r.change, "earlier"), r.unit) : "", key: (r) => r.change ? numberOf(r.change, "earlier") : NaN},
     {title: "change", number: true, text: (r) => (r.change?.text || "") + (verdictMoved(r.change) ? `, was ${r.change.earlier_verdict}` : ""),
       key: (r) => r.change ? Math.abs(numberOf(r.change, "found") / numberOf(r.change, "earlier") - 1) : NaN});
   return columns;
@@ -50,7 +50,7 @@ function inOrder(a, b) {
 
 function rowElement(row, columns) {
   return element("tr", {class: isGreen(row.verdict) ? undefined : "red"}, columns.map((column) =>
-    element("td", {class: column.number ? "n" : column.wide ? "wide" : undefined}, column.cell ? column.cell(row) : column.text(row))));
+    element("td", {class: column.number ? "n" : column.wide}, column.cell ? column.cell(row) : column.text(row))));
 }
 
 function chooser(label, all, options, changed) {
