@@ -100,7 +100,7 @@ std::vector<Measured> run(std::vector<Benchmark> const& list, Arguments const& a
 
 ExitCode bench(Arguments const& a) {
   auto const list = chosen(a.names);
-  if (!a.folder.empty()) make_folder(a.folder);
+  if (!a.folder.empty()) io::make_folder(a.folder, "results.json");
   nlohmann::json const earlier =
       a.against.empty() ? nlohmann::json() : nlohmann::json::parse(io::read_file(a.against), nullptr, false);
   bool missing = false;

@@ -1,7 +1,6 @@
 #include "benchmarks/report/folder.hpp"
 
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "benchmarks/registry.hpp"
 #include "benchmarks/report/charts.hpp"
@@ -15,14 +14,6 @@ namespace talus::bench {
 nlohmann::json provenance(std::vector<std::string> const& command_line, std::string const& start, int threads) {
   return io::provenance_document(
       {.command_line = command_line, .threads = threads, .inputs = {}, .start = start, .end = io::utc_now()});
-}
-
-void make_folder(std::filesystem::path const& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError("cannot make the folder " + folder.string() + ": " + error.message());
-  if (std::filesystem::exists(folder / "results.json"))
-    throw FileError(folder.string() + " holds results already; name another folder");
 }
 
 void write_folder(std::filesystem::path const& folder, std::vector<Measured> const& all,

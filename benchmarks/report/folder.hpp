@@ -14,9 +14,6 @@ namespace talus::bench {
 [[nodiscard]] nlohmann::json provenance(std::vector<std::string> const& command_line, std::string const& start,
                                         int threads);
 
-/// Makes a folder that holds no results yet. Throws FileError.
-void make_folder(std::filesystem::path const& folder);
-
 /// Writes results.json, the pictures, and report.html. `document`: of document_of. Throws FileError.
 void write_folder(std::filesystem::path const& folder, std::vector<Measured> const&, nlohmann::json const& document);
 

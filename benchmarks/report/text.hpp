@@ -10,9 +10,6 @@ namespace talus::bench {
 /// Every table of a benchmark, in columns of text.
 [[nodiscard]] std::string text_of(Measured const&);
 
-/// A number in four digits.
-[[nodiscard]] std::string in_short(double value);
-
 /// What a row should reach, as ">= 10, stretch 14"; empty without a bar.
 [[nodiscard]] std::string bar_text(Row const&);
 

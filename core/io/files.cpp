@@ -84,6 +84,14 @@ void sync_folder(fs::path const& folder) {
   sync_descriptor(file.number(), folder);
 }
 
+void make_folder(fs::path const& folder, std::string_view mark) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError("cannot make the folder " + folder.string() + ": " + error.message());
+  if (!mark.empty() && fs::exists(folder / mark))
+    throw FileError(folder.string() + " holds results already; name another folder");
+}
+
 PendingFile::PendingFile(fs::path path)
     : path_(std::move(path)),
       temporary_(path_.string() + ".tmp"),

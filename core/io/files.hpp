@@ -33,6 +33,10 @@ class Descriptor {
 /// Makes a folder's entries (new, renamed and removed files) survive a power cut. Throws FileError.
 void sync_folder(std::filesystem::path const& folder);
 
+/// Makes a folder for results unless it is there. Throws FileError where that fails, or where the folder holds the file
+/// `mark`, which tells that results are in it already; an empty mark asks for nothing.
+void make_folder(std::filesystem::path const& folder, std::string_view mark);
+
 /// A file that appears under its name only when it is complete: bytes go to `<name>.tmp` in the same folder, `commit`
 /// syncs and renames it. Without `commit` the old file stays and the temporary one is removed.
 class PendingFile {

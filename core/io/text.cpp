@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace talus::io {
@@ -15,6 +16,14 @@ void set_number(nlohmann::json& object, std::string const& name, double value) {
   }
   object[name] = nullptr;
   object[name + "_status"] = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+double number_of(nlohmann::json const& object, std::string const& name) {
+  auto const found = object.find(name);
+  if (found != object.end() && found->is_number()) return found->get<double>();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  auto const status = object.value(name + "_status", "nan");
+  return status == "inf" ? infinity : status == "-inf" ? -infinity : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string json_text(nlohmann::json const& document) {

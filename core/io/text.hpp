@@ -10,6 +10,9 @@ namespace talus::io {
 /// `"<name>_status": "nan"`, `"inf"` or `"-inf"`.
 void set_number(nlohmann::json& object, std::string const& name, double value);
 
+/// The number that set_number put there; NaN where there is none of that name.
+[[nodiscard]] double number_of(nlohmann::json const& object, std::string const& name);
+
 /// A document with indentation, sorted keys and a final line break; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(nlohmann::json const& document);
 

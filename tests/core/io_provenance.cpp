@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -85,6 +86,10 @@ BOOST_AUTO_TEST_CASE(numbers_that_json_does_not_know_become_null_with_a_reason) 
   io::set_number(document, "d", -Limits::infinity());
   BOOST_TEST(document == json::parse(R"({"a": 0.30000000000000004, "b": null, "b_status": "nan", "c": null,
                                          "c_status": "inf", "d": null, "d_status": "-inf"})"));
+  BOOST_TEST(io::number_of(document, "a") == 0.1 + 0.2);
+  BOOST_TEST((std::isnan(io::number_of(document, "b")) && std::isnan(io::number_of(document, "not there"))));
+  BOOST_TEST(io::number_of(document, "c") == Limits::infinity());
+  BOOST_TEST(io::number_of(document, "d") == -Limits::infinity());
   io::set_number(document, "b", 1);
   BOOST_TEST(!document.contains("b_status"));
 }

@@ -9,8 +9,9 @@
 namespace talus::verification {
 
 /// floored: an order was asked for where the error no longer falls with h. omitted: not run, for the reason given.
-/// noted: measured, nothing asked of it. Only pass, omitted and noted leave the suite green.
-enum class Verdict { pass, fail, floored, omitted, noted };
+/// noted: measured, nothing asked of it. error: the case did not get so far; said by the runner, not by cases. Only pass,
+/// omitted and noted leave the suite green.
+enum class Verdict { pass, fail, floored, omitted, noted, error };
 
 /// What a run took: wall time of its steps [s], steps, particles times steps.
 struct Cost {
