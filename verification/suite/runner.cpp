@@ -54,9 +54,10 @@ Findings found_by(Case const& one) {
   return findings;
 }
 
-/// The child's life: it never returns into the parent's code, and flushes nothing of the parent's.
-[[noreturn]] void live(Case const& one, int pipe, bool alone) {
+/// The child's life: it never returns into the parent's code, however it ends, and flushes nothing of the parent's.
+[[noreturn]] void live(Case const& one, int pipe, bool alone) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (int const signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(signal, SIG_DFL);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   if (!alone) set_thread_count(1);
   std::string const text = document_of(found_by(one)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
