@@ -1,5 +1,5 @@
-// Plots as SVG: sharp at any size, on paper as well, and readable by programs. Each bears a legend whose buttons hide and
-// show curves, a note of the point under the pointer, and its numbers as a table.
+// Plots as SVG: sharp at any size, on paper as well, and readable by programs. Each bears a legend whose buttons hide
+// and show curves, a note of the point under the pointer, and its numbers as a table.
 
 const chartWidth = 640, chartHeight = 400, chartMargin = {
   left: 78,

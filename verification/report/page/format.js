@@ -87,16 +87,13 @@ function verdictBadge(verdict) { return element('span', {class: `badge ${verdict
 
 const isGreen = (verdict) => ['pass', 'noted', 'omitted'].includes(verdict);
 
-/** A table as wide as it must be, in a frame that scrolls. Columns: {title, number: its cells are put to the right}. */
+/** A table in a frame that scrolls. Columns: {title, number: its cells are put to the right}; rows: cells, or elements. */
 function tableOf(columns, rows, {caption, ...attributes} = {}) {
-  const side = (column) => column.number ? 'n' : undefined;
+  const side = (column) => column.number ? 'n' : column.wide;
   const heads = columns.map((column) => element('th', {scope: 'col', class: side(column)}, column.title));
-  const lines = rows.map(
-      (cells) =>
-          element('tr', {}, cells.map((cell, k) => element('td', {class: columns[k].wide || side(columns[k])}, cell))));
-  return element(
-      'div', {class: 'scroll'},
-      element(
-          'table', attributes, caption ? element('caption', {}, caption) : null,
-          element('thead', {}, element('tr', {}, heads)), element('tbody', {}, lines)));
+  const line = (cells) => element('tr', {}, cells.map((cell, k) => element('td', {class: side(columns[k])}, cell)));
+  const body = element('tbody', {}, rows.map((row) => row instanceof Element ? row : line(row)));
+  const parts =
+      [caption ? element('caption', {}, caption) : null, element('thead', {}, element('tr', {}, heads)), body];
+  return element('div', {class: 'scroll'}, element('table', attributes, parts));
 }

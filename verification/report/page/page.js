@@ -100,7 +100,7 @@ function caseSection(one) {
   const fact = (name, ...what) => [element('dt', {}, name), element('dd', {}, ...what)];
   const columns = rowColumns(false).slice(1);
   const rows = one.rows.map((row) => ({...row, id: one.id, value: numberOf(row, 'found')}));
-  const cells = rows.map((row) => columns.map((column) => column.cell ? column.cell(row) : column.text(row)));
+  const lines = rows.map((row) => rowElement(row, columns));
   const took = [durationText(one.seconds), durationText(one.processor_seconds), memoryText(one.peak_memory)];
   return element(
       'section', {class: 'case', id: anchorOf(one.id)}, element('h3', {}, one.id, ' ', verdictBadge(worstOf(one.rows))),
@@ -112,7 +112,7 @@ function caseSection(one) {
       element('div', {class: 'charts'}, one.plots.map(chartFigure)),
       element(
           'details', {open: rows.length <= 12},
-          element('summary', {}, `${rows.length} row${rows.length === 1 ? '' : 's'}`), tableOf(columns, cells)));
+          element('summary', {}, `${rows.length} row${rows.length === 1 ? '' : 's'}`), tableOf(columns, lines)));
 }
 
 function provenanceSection(results) {

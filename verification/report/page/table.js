@@ -86,74 +86,71 @@ function chooser(label, all, options, changed) {
           options.map((option) => element('option', {value: option}, String(option)))));
 }
 
-/** A section with the table; show(verdict) filters it from elsewhere. */
-function rowsSection(results) {
-  const rows = flatRows(results), columns = rowColumns(Boolean(results.against));
-  const wanted = {text: '', verdict: '', tier: '', id: ''}, sorting = {column: -1, falling: false};
-  const body = element('tbody'), shown = element('span', {class: 'shown', 'aria-live': 'polite'});
-  const heads = columns.map(
-      (column, k) => element(
-          'th', {scope: 'col', class: column.number ? 'n' : undefined},
-          element(
-              'button', {
-                type: 'button',
-                onclick: () => {
-                  sorting.falling = sorting.column === k && !sorting.falling;
-                  sorting.column = k;
-                  fill();
-                }
-              },
-              column.title)));
-  const fits = (row) => {
-    const words = wanted.text.toLowerCase().split(/\s+/).filter(Boolean);
-    const text = `${row.id} ${row.subject} ${row.measure} ${row.because} ${row.verdict}`.toLowerCase();
-    const judged =
-        wanted.verdict === 'not green' ? !isGreen(row.verdict) : !wanted.verdict || row.verdict === wanted.verdict;
-    return judged && (!wanted.tier || String(row.tier) === wanted.tier) && (!wanted.id || row.id === wanted.id) &&
-        words.every((w) => text.includes(w));
-  };
-  const fill = () => {
-    const kept = rows.filter(fits);
+/** The rows that are shown, in their order. */
+class RowTable {
+  constructor(results) {
+    this.rows = flatRows(results);
+    this.columns = rowColumns(Boolean(results.against));
+    this.wanted = {text: '', verdict: '', tier: '', id: ''};
+    this.sorting = {column: -1, falling: false};
+    this.heads = this.columns.map((column, k) => this.head(column, k));
+    this.body = element('tbody');
+    this.shown = element('span', {class: 'shown', 'aria-live': 'polite'});
+    this.fill();
+  }
+  head(column, k) {
+    const sort = () => {
+      this.sorting = {column: k, falling: this.sorting.column === k && !this.sorting.falling};
+      this.fill();
+    };
+    const button = element('button', {type: 'button', onclick: sort}, column.title);
+    return element('th', {scope: 'col', class: column.number ? 'n' : undefined}, button);
+  }
+  want(name, value) {
+    this.wanted[name] = value;
+    this.fill();
+  }
+  fits(row) {
+    const {text, verdict, tier, id} = this.wanted;
+    const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+    const all = `${row.id} ${row.subject} ${row.measure} ${row.because} ${row.verdict}`.toLowerCase();
+    const judged = verdict === 'not green' ? !isGreen(row.verdict) : !verdict || row.verdict === verdict;
+    return judged && (!tier || String(row.tier) === tier) && (!id || row.id === id) &&
+        words.every((word) => all.includes(word));
+  }
+  fill() {
+    const {rows, columns, sorting} = this, kept = rows.filter((row) => this.fits(row));
     if (sorting.column >= 0) {
       const key = columns[sorting.column].key || columns[sorting.column].text;
       kept.sort((a, b) => (sorting.falling ? -1 : 1) * inOrder(key(a), key(b)));
     }
-    heads.forEach(
-        (head, k) => head.setAttribute(
-            'aria-sort',
-            k !== sorting.column ? 'none' :
-                sorting.falling  ? 'descending' :
-                                   'ascending'));
-    body.replaceChildren(...kept.map((row) => rowElement(row, columns)));
-    shown.textContent = kept.length === rows.length ? `${rows.length} rows` : `${kept.length} of ${rows.length} rows`;
-  };
-  const set = (name) => (value) => {
-    wanted[name] = value;
-    fill();
-  };
-  const verdicts = ['not green', ...verdictOrder.filter((v) => rows.some((row) => row.verdict === v))];
-  const verdictChooser = chooser('verdict', 'all', verdicts, set('verdict'));
+    const direction = sorting.falling ? 'descending' : 'ascending';
+    this.heads.forEach((head, k) => head.setAttribute('aria-sort', k === sorting.column ? direction : 'none'));
+    this.body.replaceChildren(...kept.map((row) => rowElement(row, columns)));
+    this.shown.textContent =
+        kept.length === rows.length ? `${rows.length} rows` : `${kept.length} of ${rows.length} rows`;
+  }
+}
+
+/** A section with the table; show(verdict) filters it from elsewhere. */
+function rowsSection(results) {
+  const table = new RowTable(results);
+  const present = (verdict) => table.rows.some((row) => row.verdict === verdict);
+  const choose = (label, name, options) => chooser(label, 'all', options, (value) => table.want(name, value));
+  const byVerdict = choose('verdict', 'verdict', ['not green', ...verdictOrder.filter(present)]);
+  const search = element('input', {type: 'search', id: 'filter', placeholder: 'words, e.g. cubic apic'});
+  search.addEventListener('input', () => table.want('text', search.value));
   const filters = element(
-      'div', {class: 'filters'}, element('label', {}, 'filter ', element('input', {
-                                           type: 'search',
-                                           id: 'filter',
-                                           placeholder: 'words, e.g. cubic apic',
-                                           oninput: (event) => set('text')(event.target.value)
-                                         })),
-      verdictChooser, chooser('tier', 'all', [...new Set(rows.map((r) => r.tier))].sort(), set('tier')),
-      chooser('case', 'all', results.cases.map((one) => one.id), set('id')), shown);
-  fill();
+      'div', {class: 'filters'}, element('label', {}, 'filter ', search), byVerdict,
+      choose('tier', 'tier', [...new Set(table.rows.map((row) => row.tier))].sort()),
+      choose('case', 'id', results.cases.map((one) => one.id)), table.shown);
+  const lines = element('table', {id: 'all-rows'}, element('thead', {}, element('tr', {}, table.heads)), table.body);
   const section = element(
-      'section', {id: 'rows'}, element('h2', {}, 'All rows'), filters,
-      element(
-          'div', {class: 'scroll'},
-          element('table', {id: 'all-rows'}, element('thead', {}, element('tr', {}, heads)), body)));
-  return {
-    section,
-    show: (verdict) => {
-      verdictChooser.querySelector('select').value = verdict;
-      set('verdict')(verdict);
-      section.scrollIntoView();
-    }
+      'section', {id: 'rows'}, element('h2', {}, 'All rows'), filters, element('div', {class: 'scroll'}, lines));
+  const show = (verdict) => {
+    byVerdict.querySelector('select').value = verdict;
+    table.want('verdict', verdict);
+    section.scrollIntoView();
   };
+  return {section, show};
 }

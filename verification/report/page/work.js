@@ -95,6 +95,7 @@ function workSection(results) {
       'section', {id: 'work'}, element('h2', {}, 'Error against time'),
       element(
           'p', {class: 'dim'},
-          'Each line is one scheme from coarse to fine; colours are kernel and transfer, markers the particles per direction in a cell. What lies on the Pareto front is beaten by none in both error and time.'),
+          'Each line is one scheme from coarse to fine; colours are kernel and transfer, markers the particles per ' +
+              'direction in a cell. What lies on the Pareto front is beaten by none in both error and time.'),
       diagrams);
 }
