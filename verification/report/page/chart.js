@@ -56,12 +56,13 @@ class Axis {
   }
 }
 
-/** 1e-4 as 10 to a power, small numbers as they are. */
+/** 1e-4 and 2e-4 as powers of ten, other numbers as they are. */
 function tickText(value) {
-  const power = Math.round(Math.log10(value));
-  if (Math.abs(value / 10 ** power - 1) < 1e-9 && (power < -2 || power > 3))
-    return '10' + String(power).replace(/[-\d]/g, (c) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
-  return digits(value, 2);
+  const power = Math.floor(Math.log10(value) + 1e-9);
+  if (power >= -2 && power <= 3) return digits(value, 2);
+  const raised = String(power).replace(/[-\d]/g, (c) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
+  const factor = Math.round(value / 10 ** power);
+  return (factor === 1 ? '' : factor + '·') + '10' + raised;
 }
 
 function markerPath(shape, x, y, r) {
@@ -111,13 +112,20 @@ function drawCurve(curve, x, y, points) {
       curve.guide                ? 'var(--dim)' :
           curve.kind === 'front' ? 'var(--ink)' :
                                    `var(--curve-${curve.colour % curveColours})`);
-  const seen = curve.x.map((value, k) => ({x: value, y: curve.y[k], note: curve.notes?.[k], curve}))
-                   .filter((p) => x.holds(p.x) && y.holds(p.y))
-                   .map((p) => ({...p, at: [x.place(p.x), y.place(p.y)]}));
-  if (seen.length > 1)
-    group.append(element(
-        'path',
-        {class: 'line', d: seen.map((p, k) => (k ? 'L' : 'M') + p.at.map((c) => c.toFixed(2)).join(' ')).join('')}));
+  const all = curve.x.map((value, k) => ({x: value, y: curve.y[k], note: curve.notes?.[k], curve}));
+  const seen = [];
+  let path = '', pen = 'M';  // lifted where a point is missing
+  for (const point of all) {
+    if (!x.holds(point.x) || !y.holds(point.y)) {
+      pen = 'M';
+      continue;
+    }
+    point.at = [x.place(point.x), y.place(point.y)];
+    path += pen + point.at.map((c) => c.toFixed(2)).join(' ');
+    pen = 'L';
+    seen.push(point);
+  }
+  if (seen.length > 1) group.append(element('path', {class: 'line', d: path}));
   // points that would run into one another are left to the line
   if (!curve.guide && curve.kind !== 'front' && seen.length <= 60)
     for (const p of seen)

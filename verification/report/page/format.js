@@ -87,7 +87,7 @@ function verdictBadge(verdict) { return element('span', {class: `badge ${verdict
 
 const isGreen = (verdict) => ['pass', 'noted', 'omitted'].includes(verdict);
 
-/** A table in a frame that scrolls. Columns: {title, number: its cells are put to the right}; rows: cells, or elements. */
+/** A table in a frame that scrolls. Columns: {title, number: put to the right}; rows: lists of cells, or elements. */
 function tableOf(columns, rows, {caption, ...attributes} = {}) {
   const side = (column) => column.number ? 'n' : column.wide;
   const heads = columns.map((column) => element('th', {scope: 'col', class: side(column)}, column.title));

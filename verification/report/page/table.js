@@ -23,8 +23,8 @@ function rowColumns(compared) {
   const measured = (row) => !['omitted', 'error'].includes(row.verdict);
   const columns = [
     {title: 'case', text: (r) => r.id, cell: (r) => element('a', {href: '#' + anchorOf(r.id)}, r.id)},
-    {title: 'subject', text: (r) => r.subject},
-    {title: 'measure', text: (r) => r.measure},
+    {title: 'subject', text: (r) => r.subject, wide: 'wrap'},
+    {title: 'measure', text: (r) => r.measure, wide: 'wrap'},
     {title: 'found', number: true, text: (r) => measured(r) ? valueText(r.value, r.unit) : '', key: (r) => r.value},
     {title: '95 % interval', number: true, text: (r) => intervalText(r.uncertainty), key: (r) => low(r.uncertainty)},
     {title: 'allowed', number: true, text: (r) => allowedText(r.allowed), key: (r) => low(r.allowed)},
