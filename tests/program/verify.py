@@ -46,8 +46,11 @@ class Verify(InFolder):
         self.assertEqual([case["id"] for case in self.cases("*")], ids)
         for folder in {case.split("/")[0] for case in ids if "/" in case}:
             self.assertEqual([case["id"] for case in self.cases(folder)], [i for i in ids if i.startswith(folder + "/")])
-        self.assertEqual([case["id"] for case in self.cases("--tier", "0")],
-                         [case["id"] for case in cases if case["tier"] == 0])
+        for tier in {case["tier"] for case in cases}:
+            self.assertEqual([case["id"] for case in self.cases("--tier", tier)],
+                             [case["id"] for case in cases if case["tier"] <= tier])
+        if late := next((case["id"] for case in cases if case["tier"] > 0), None):
+            self.assertIn("no such case", self.talus("verify", late, "--tier", "0", code=2).stderr)
 
     def test_wrong_usage_is_told_apart(self):
         name = self.smallest()

@@ -46,6 +46,7 @@ void hang(Findings&) {
 void leave(Findings&) {
   _exit(3);
 }
+void find_nothing(Findings&) {}
 void find_much(Findings& findings) {
   for (int k = 0; k < 20000; ++k) findings.note("row " + std::to_string(k), "a", k);
 }
@@ -90,6 +91,10 @@ BOOST_AUTO_TEST_CASE(what_a_case_found_before_it_threw_is_kept) {
 BOOST_AUTO_TEST_CASE(a_case_that_crashes_or_leaves_is_an_error) {
   BOOST_TEST(error_of(one("a", crash)).because.find("killed by signal 6") == 0u);
   BOOST_TEST(error_of(one("a", leave)).because.find("ended with code 3") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_finds_nothing_is_not_green) {
+  BOOST_TEST(error_of(one("a", find_nothing)).because == "it found nothing");
 }
 
 BOOST_AUTO_TEST_CASE(a_case_is_stopped_at_its_budget_times_the_patience) {

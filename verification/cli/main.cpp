@@ -118,9 +118,10 @@ Report run(std::vector<Case const*> const& cases, Arguments const& a) {
 }
 
 int verify(Arguments const& a) {
-  auto const cases = chosen(verification::cases(), a.names, a.tier);
+  bool const list_all = a.list && a.names.empty() && !a.tier;
+  auto const cases = chosen(verification::cases(), a.names, list_all ? 2 : a.tier);
   if (a.list) {
-    list(a.names.empty() && !a.tier ? chosen(verification::cases(), {}, 2) : cases, a.json);
+    list(cases, a.json);
     return cli::done;
   }
   if (!a.folder.empty()) io::make_folder(a.folder, a.force ? "" : "results.json");

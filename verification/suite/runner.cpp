@@ -158,6 +158,8 @@ class Runner {
       result.findings = findings_of(document);
     else
       add_error(result.findings, reason(child, status));
+    Findings& found = result.findings;
+    if (found.rows.empty() && found.plots.empty() && found.work.empty()) add_error(found, "it found nothing");
     if (options_.finished) options_.finished(result, waiting_.size() + running_.size() - 1);
   }
 
