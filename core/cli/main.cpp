@@ -216,6 +216,10 @@ int main(int argc, char** argv) {
   arguments.run.command_line.assign(argv, argv + argc);
   CLI::App app{"Talus: the material point method for granular flow, proven and fast."};
   app.set_version_flag("--version", "talus " + std::string(build_info::version));
+  app.footer(
+      "Programs of their own, where they are built:\n"
+      "  verify                      Run the verification suite and write its report.\n"
+      "  bench                       Measure what it costs.");
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);
   add_running_verbs(app, chosen, arguments);

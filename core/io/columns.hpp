@@ -7,7 +7,7 @@
 
 namespace talus::io {
 
-/// A number in four digits: "0.1234", "12.3", "1.234e-05".
+/// A number in about four digits: "0.123", "12.35", "1.234e-05".
 [[nodiscard]] std::string in_short(double value);
 
 /// Lines of a table: two blanks before each column, which is as wide as it must be; columns that are empty below the

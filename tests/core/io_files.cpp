@@ -108,4 +108,15 @@ BOOST_AUTO_TEST_CASE(a_growing_file_does_not_invent_bytes_that_are_missing) {
   BOOST_TEST(io::read_file(folder / "rows") == "one\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_folder_for_results_is_made_but_earlier_results_are_kept) {
+  TemporaryFolder const folder;
+  auto const path = folder / "a/b";
+  io::make_folder(path, "results.json");
+  io::make_folder(path, "results.json");  // it is empty
+  io::write_atomically(path / "results.json", "{}");
+  BOOST_CHECK_THROW(io::make_folder(path, "results.json"), FileError);
+  BOOST_CHECK_NO_THROW(io::make_folder(path, ""));
+  BOOST_CHECK_THROW(io::make_folder(path / "results.json/c", ""), FileError);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,6 +16,7 @@
 #include "core/io/progress.hpp"
 #include "core/io/provenance.hpp"
 #include "core/io/text.hpp"
+#include "core/parallel.hpp"
 #include "verification/cli/selection.hpp"
 #include "verification/report/report.hpp"
 #include "verification/suite/runner.hpp"
@@ -108,15 +109,19 @@ Report run(std::vector<Case const*> const& cases, Arguments const& a) {
   talk.end();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   report.jobs = a.jobs;
-  report.provenance = io::provenance_document(
-      {.command_line = a.command_line, .threads = a.jobs, .inputs = {}, .start = start, .end = io::utc_now()});
+  report.provenance = io::provenance_document({.command_line = a.command_line,
+                                               .threads = a.jobs > 1 ? 1 : thread_count(),
+                                               .inputs = {},
+                                               .start = start,
+                                               .end = io::utc_now()});
   return report;
 }
 
 int verify(Arguments const& a) {
-  auto const cases = chosen(verification::cases(), a.names, a.tier);
+  bool const list_all = a.list && a.names.empty() && !a.tier;
+  auto const cases = chosen(verification::cases(), a.names, list_all ? 2 : a.tier);
   if (a.list) {
-    list(a.names.empty() && !a.tier ? chosen(verification::cases(), {}, 2) : cases, a.json);
+    list(cases, a.json);
     return cli::done;
   }
   if (!a.folder.empty()) io::make_folder(a.folder, a.force ? "" : "results.json");

@@ -41,6 +41,7 @@ std::vector<Case const*> chosen(std::span<Case const* const> all, std::vector<st
     bool const early = tier ? one->tier <= *tier : named || one->tier <= everyday_tier;
     if (early && (named || names.empty())) list.push_back(one);
   }
+  if (list.empty()) throw CLI::ValidationError("there is no such case in these tiers; 'talus verify --list' lists all");
   return list;
 }
 

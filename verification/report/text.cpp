@@ -51,21 +51,18 @@ std::string line_of(Row const& row, bool colour) {
 }
 
 /// Every row of a case in columns; `changes` are those of the case, or none.
-std::string table_of(Result const& result, std::vector<Change const*> const& changes, bool colour) {
+std::string table_of(Result const& result, std::vector<Change const*> const& changes) {
   std::vector<std::vector<std::string>> rows{
       {"", "", "found", "95 %", "asked", changes.empty() ? "" : "against", "why"}};
   for (std::size_t k = 0; k < result.findings.rows.size(); ++k) {
     Row const& row = result.findings.rows[k];
     bool const measured = row.verdict != Verdict::omitted && row.verdict != Verdict::error;
-    rows.push_back({row.subject + ": " + row.measure, std::string(word_of(row.verdict)),
+    rows.push_back({row.subject + ": " + row.measure,
+                    is_green(row.verdict) ? std::string(word_of(row.verdict)) : shouted(row.verdict, false),
                     measured ? value_text(row.found, row.unit) : "", interval_text(row.uncertainty),
                     allowed_text(row.allowed), k < changes.size() ? change_text(*changes[k]) : "", row.because});
   }
   if (rows.size() == 1) return "";
-  for (std::size_t k = 1; colour && k < rows.size(); ++k) {
-    auto const verdict = result.findings.rows[k - 1].verdict;
-    if (!is_green(verdict)) rows[k][0] = "* " + rows[k][0];
-  }
   return io::columns(rows, "llrrrr");
 }
 
@@ -124,7 +121,7 @@ std::string text_of(Report const& report, bool all, bool colour) {
                         7 - word_of(verdict).size(), fmt::format("{:<36}", passed_text(counts)),
                         duration_text(result.seconds));
     if (all)
-      text += table_of(result, changes_of(report, result.id), colour);
+      text += table_of(result, changes_of(report, result.id));
     else
       for (Row const& row : result.findings.rows)
         if (!is_green(row.verdict)) text += line_of(row, colour);

@@ -62,7 +62,7 @@ Expansion fitted(std::vector<double> const& powers, bool searched, bool weighted
 Expansion of_best_order(bool weighted, std::vector<double> const& h, std::vector<double> const& values) {
   Expansion best;
   double low = 0.01, high = 8;
-  for (int scan = 0; scan < 12; ++scan) {
+  for (int scan = 0; scan < 6; ++scan) {
     constexpr int points = 80;
     double const stride = (high - low) / points;
     for (int k = 0; k <= points; ++k)

@@ -54,9 +54,10 @@ Findings found_by(Case const& one) {
   return findings;
 }
 
-/// The child's life: it never returns into the parent's code, and flushes nothing of the parent's.
-[[noreturn]] void live(Case const& one, int pipe, bool alone) {
+/// The child's life: it never returns into the parent's code, however it ends, and flushes nothing of the parent's.
+[[noreturn]] void live(Case const& one, int pipe, bool alone) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (int const signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(signal, SIG_DFL);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   if (!alone) set_thread_count(1);
   std::string const text = document_of(found_by(one)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -157,6 +158,8 @@ class Runner {
       result.findings = findings_of(document);
     else
       add_error(result.findings, reason(child, status));
+    Findings& found = result.findings;
+    if (found.rows.empty() && found.plots.empty() && found.work.empty()) add_error(found, "it found nothing");
     if (options_.finished) options_.finished(result, waiting_.size() + running_.size() - 1);
   }
 

@@ -20,8 +20,9 @@ struct RunOptions {
   std::function<void(Result const&, std::size_t left)> finished = {};
 };
 
-/// The results, in the order of the cases. A case that throws, crashes or is stopped has one row more, "ends", with the
-/// verdict error and the reason; what it found before it threw is kept. What cases print goes to standard error.
+/// The results, in the order of the cases. A case that throws, crashes, is stopped or finds nothing at all has one row
+/// more, "ends", with the verdict error and the reason; what it found before it threw is kept. What cases print goes to
+/// standard error.
 /// Throws FileError where no process can be made.
 [[nodiscard]] std::vector<Result> run_cases(std::span<Case const* const> cases, RunOptions const& options);
 

@@ -7,11 +7,11 @@ function workProblems(results) {
   const problems = new Map();
   for (const one of results.cases)
     for (const point of one.work) {
-      const error = numberOf(point, "error"), seconds = numberOf(point.cost, "seconds");
+      const error = numberOf(point, 'error'), seconds = numberOf(point.cost, 'seconds');
       if (!(error > 0) || !(seconds > 0) || !Number.isFinite(error)) continue;
       const name = `${point.problem}: error of ${point.error_name}`;
       if (!problems.has(name)) problems.set(name, []);
-      problems.get(name).push({...point, error, seconds, cells: numberOf(point, "cells")});
+      problems.get(name).push({...point, error, seconds, cells: numberOf(point, 'cells')});
     }
   return problems;
 }
@@ -30,28 +30,49 @@ const pointText = (point) => `${schemeOf(point)}, ${point.per_direction} per dir
 
 /** A curve a scheme and number of particles, from coarse to fine; then the front. */
 function workCurves(points, front) {
-  const schemes = [...new Set(points.map(schemeOf))], counts = [...new Set(points.map((p) => p.per_direction))].sort((a, b) => a - b);
+  const schemes = [...new Set(points.map(schemeOf))],
+        counts = [...new Set(points.map((p) => p.per_direction))].sort((a, b) => a - b);
   const curves = [];
   for (const scheme of schemes)
     for (const many of counts) {
-      const own = points.filter((p) => schemeOf(p) === scheme && p.per_direction === many).sort((a, b) => a.cells - b.cells);
-      if (own.length) curves.push({name: `${scheme}, ${many}`, x: own.map((p) => p.seconds), y: own.map((p) => p.error), kind: "thin",
-        colour: schemes.indexOf(scheme), marker: markerShapes[counts.indexOf(many) % 5], notes: own.map((p) => `${digits(p.cells)} cells`)});
+      const own =
+          points.filter((p) => schemeOf(p) === scheme && p.per_direction === many).sort((a, b) => a.cells - b.cells);
+      if (own.length)
+        curves.push({
+          name: `${scheme}, ${many}`,
+          x: own.map((p) => p.seconds),
+          y: own.map((p) => p.error),
+          kind: 'thin',
+          colour: schemes.indexOf(scheme),
+          marker: markerShapes[counts.indexOf(many) % 5],
+          notes: own.map((p) => `${digits(p.cells)} cells`)
+        });
     }
-  if (front.length > 1) curves.push({name: "Pareto front", x: front.map((p) => p.seconds), y: front.map((p) => p.error), kind: "front", colour: 0, marker: "circle"});
+  if (front.length > 1)
+    curves.push({
+      name: 'Pareto front',
+      x: front.map((p) => p.seconds),
+      y: front.map((p) => p.error),
+      kind: 'front',
+      colour: 0,
+      marker: 'circle'
+    });
   return curves;
 }
 
 /** The cheapest point whose error is below each of the sought ones. */
 function cheapestTable(front) {
+  const columns = [
+    {title: 'error', number: true}, {title: 'scheme'}, {title: 'time', number: true},
+    {title: 'its error', number: true}, {title: 'particle-steps', number: true}
+  ];
   const rows = soughtErrors.map((error) => {
-    const point = front.find((p) => p.error <= error);
-    return element("tr", {}, element("td", {class: "n"}, `${digits(100 * error)} %`),
-      point ? [element("td", {}, pointText(point)), element("td", {class: "n"}, durationText(point.seconds)), element("td", {class: "n"}, `${digits(100 * point.error, 2)} %`),
-        element("td", {class: "n"}, largeText(point.cost.particle_steps))] : element("td", {colspan: 4, class: "dim"}, "none of these reaches it"));
+    const sought = `${digits(100 * error)} %`, point = front.find((p) => p.error <= error);
+    if (!point) return [sought, element('span', {class: 'dim'}, 'none of these reaches it'), '', '', ''];
+    const steps = largeText(point.cost.particle_steps);
+    return [sought, pointText(point), durationText(point.seconds), `${digits(100 * point.error, 2)} %`, steps];
   });
-  return element("div", {class: "scroll"}, element("table", {class: "cheapest"}, element("caption", {}, "The cheapest way to an error below"),
-    element("thead", {}, element("tr", {}, ["error", "scheme", "time", "its error", "particle-steps"].map((h) => element("th", {scope: "col"}, h)))), element("tbody", {}, rows)));
+  return tableOf(columns, rows, {class: 'cheapest', caption: 'The cheapest way to an error below'});
 }
 
 function workSection(results) {
@@ -59,8 +80,22 @@ function workSection(results) {
   if (!problems.size) return null;
   const diagrams = [...problems].map(([name, points]) => {
     const front = paretoFront(points);
-    return element("div", {class: "work"}, chartFigure({title: name, x_label: "time of the run [s]", y_label: "relative error [1]", log_x: true, log_y: true, curves: workCurves(points, front)}), cheapestTable(front));
+    return element(
+        'div', {class: 'work'}, chartFigure({
+          title: name,
+          x_label: 'time of the run [s]',
+          y_label: 'relative error [1]',
+          log_x: true,
+          log_y: true,
+          curves: workCurves(points, front)
+        }),
+        cheapestTable(front));
   });
-  return element("section", {id: "work"}, element("h2", {}, "Error against time"),
-    element("p", {class: "dim"}, "Each line is one scheme from coarse to fine; colours are kernel and transfer, markers the particles per direction in a cell. What lies on the Pareto front is beaten by none in both error and time."), diagrams);
+  return element(
+      'section', {id: 'work'}, element('h2', {}, 'Error against time'),
+      element(
+          'p', {class: 'dim'},
+          'Each line is one scheme from coarse to fine; colours are kernel and transfer, markers the particles per ' +
+              'direction in a cell. What lies on the Pareto front is beaten by none in both error and time.'),
+      diagrams);
 }
