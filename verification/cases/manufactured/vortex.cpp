@@ -1,0 +1,69 @@
+/// The generalised vortex with a smooth rim (q = 4) in Hencky's material: rings that turn against each other, so that
+/// the order of the factors of F and the axes of C matter, as they do not along one axis.
+///
+///   A = 0.1, t = 0.5 s, E = 1000 Pa, nu = 0.3, rho_0 = 1000 kg/m^3; square of 3 m, periodic and full of material
+///
+/// 24, 48 and 96 cells with 2, 3 and 4 particles a cell and axis. Outside of the ring nothing moves.
+///
+/// The levels were computed once by a program of its own, which shares no code with this one.
+///
+/// Source: Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x; q = 4 and the body force:
+/// verification/exact/vortex.hpp.
+
+#include <array>
+#include <numbers>
+
+#include "verification/exact/vortex.hpp"
+#include "verification/manufactured/drive.hpp"
+#include "verification/suite/cases.hpp"
+#include "verification/suite/refinement.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+constexpr double side = 3, end = 0.5, courant = 0.2;
+constexpr std::array cells{24, 48, 96}, per_axis{2, 3, 4};
+
+/// Errors of u [m], v [m/s] and tau/G on the finest grid.
+using Levels = std::array<double, 3>;
+
+void refine_vortex(Findings& findings, Scheme const& scheme, Levels const& levels) {
+  auto const solid = exact::Elastic::of(exact::ElasticLaw::hencky, 1000, 0.3, 1000);
+  exact::Vortex const motion{0.1, std::numbers::pi, 4, {side / 2, side / 2}};
+  auto const solution = manufactured::solution_of(motion, solid);
+  std::string const why = "lumped mass: order 2; level: computed once by a program of its own, +15 %";
+  Refinement study{scheme.name(), {}, {}};
+  study.norms = {{.name = "u", .unit = "m", .order = 1.7, .level = 1.15 * levels[0], .because = why},
+                 {.name = "v", .unit = "m/s", .level = 1.15 * levels[1], .because = why},
+                 {.name = "tau/G", .level = 1.15 * levels[2], .because = why}};
+  for (int const N : cells) study.spacings.push_back(side / N);
+  study.solve = [&](std::size_t level) {
+    int const N = cells[level], n = per_axis[level];
+    double const h = side / N;
+    long const steps = std::lround(end * solid.wave_speed() / (courant * h));
+    manufactured::Discretisation<2> with{scheme, h, end / double(steps), steps, {N / 4, N / 4}};
+    with.places = lattice<2>(Point<2>::Zero(), {N, N}, {n, n}, h);
+    with.volume = h * h / (n * n);
+    auto const errors = manufactured::errors_of<2>(drive<2>(solution, with), solution, with);
+    return Measured{{errors.u, errors.v, errors.stress / solid.G}, errors.cost};
+  };
+  refine(findings, study, "Vortex");
+}
+
+void run(Findings& findings) {
+  refine_vortex(findings, {"quadratic", "aflip"}, {2.9e-4, 1.3e-3, 8.2e-3});
+  refine_vortex(findings, {"quadratic", "apic"}, {1.8e-4, 2.2e-3, 6.7e-3});
+}
+
+}  // namespace
+
+Case const manufactured_vortex{"manufactured/vortex",
+                               "A ring turns against its surroundings",
+                               "theta = Theta + A sin(pi t) g(R) by its body force, Hencky, q = 4",
+                               "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x",
+                               1,
+                               90,
+                               run};
+
+}  // namespace talus::verification
