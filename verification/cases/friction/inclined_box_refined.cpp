@@ -1,7 +1,10 @@
-/// The box of friction/inclined_box on three grids, with two and three particles to a cell along an axis.
+/// The box of friction/inclined_box on five grids, with two and three particles to a cell along an axis.
 ///
-/// The error is the grid's noise at the wall; that it falls is noted, no order is asked for. What is asked for is the
-/// bar, from six cells across the box on. A box of four cells is two cells high: the reach of one kernel.
+/// While the box is slow, nodes that a particle has just reached, of next to no mass, are thrown about by the stress and
+/// stick: the friction is less than mu N until the box is faster than that. The velocity so gained counts most where
+/// the acceleration is least, at 16 degrees. It falls with the spacing and with more particles, by no fixed order.
+/// Asked of are boxes of eight cells and more; those of four and six are two and three cells high, and a kernel reaches
+/// three.
 
 #include <cmath>
 
@@ -17,15 +20,15 @@ constexpr double end = 5;
 void refines(Findings& findings, Plot& plot, double slope, int per_axis) {
   std::string const name = std::to_string(slope).substr(0, 5) + " deg, " + std::to_string(per_axis) + " to a cell";
   Curve curve{name};
-  for (int const cells : {4, 6, 12, 24}) {
+  for (int const cells : {4, 6, 8, 16, 24}) {
     SlidingBox box{.angle = slope * degree, .lean = slope * degree, .per_axis = per_axis};
     box.spacing = box.length / cells;
     Slid const slid = slide(box, settled_sliding(box), end);
     double const off = std::abs(slid.along / (box.acceleration() * slid.half_square()) - 1);
     std::string const subject = "quadratic, apic, " + name + ", " + std::to_string(cells) + " cells",
                       measure = "|x/x_exact - 1| at 5 s";
-    if (cells < 6)
-      findings.note(subject, measure, off, "the box is two cells high", slid.cost);
+    if (cells < 8)
+      findings.note(subject, measure, off, "the box is no higher than a kernel reaches", slid.cost);
     else
       findings.check(subject, measure, off, at_most(1e-3), "1e-3, what the reference solver asks of an aligned plane",
                      slid.cost);
@@ -48,7 +51,7 @@ void run(Findings& findings) {
 
 Case const friction_inclined_box_refined{
     "friction/inclined_box_refined",
-    "An elastic box slides down planes that cut through grids of four spacings",
+    "An elastic box slides down planes that cut through grids of five spacings",
     "the discrete motion under Coulomb friction",
     "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
     2,
