@@ -32,12 +32,13 @@ struct FlooredFit {
   [[nodiscard]] bool floored() const { return floor > share * finest; }
 };
 
-/// Least squares in relative errors by Gauss-Newton from several starts; 0.2 <= p <= 6 and e0 >= 0. Nothing where there
-/// are fewer than three points, an error is not positive and finite, or no start leads to a fit.
+/// Least squares of the relative residuals with 0.2 <= p <= 6 and e0 >= 0: C and e0 are linear and found in closed form at
+/// each p, so that only p is searched, from thirty starts. Nothing where there are fewer than three points, an error is
+/// not positive and finite, or errors rise as the spacing falls.
 [[nodiscard]] std::optional<FlooredFit> fitted_floor(std::vector<double> const& spacings,
                                                      std::vector<double> const& errors);
 
-/// Quantile of Student's distribution such that 95 % lie within -+ it. Relative error below 1e-3 for every n >= 1.
+/// Quantile of Student's distribution: 95 % lie within -+ it.
 [[nodiscard]] double student_95(int degrees_of_freedom);
 
 }  // namespace talus::verification
