@@ -45,8 +45,7 @@ BOOST_AUTO_TEST_CASE(exact_powers_have_their_order_and_no_doubt) {
 }
 
 BOOST_AUTO_TEST_CASE(the_interval_is_students) {
-  // by hand: residuals of log2 e about slope 2 are -+ d times (-3, 1, -1, 3) / 5 of pattern (-, +, -, +); here from the
-  // normal equations of x = 0, 1, 2, 3 and y = 0, 1, 0, 1: slope 0.2, residual sum of squares 0.8, Sxx = 5
+  // x = 0, 1, 2, 3 and y = 0, 1, 0, 1: sum of squares of x about its mean 5, slope 0.2, of the residuals 0.8
   std::vector<double> const h{1, std::exp(1), std::exp(2), std::exp(3)}, e{1, std::exp(1), 1, std::exp(1)};
   auto const slope = fitted_slope(h, e);
   double const half = 4.302652730 * std::sqrt(0.8 / 2 / 5);

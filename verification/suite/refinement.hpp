@@ -24,7 +24,7 @@ namespace talus::verification {
 
 /// One way to measure the error, and what is asked of it.
 struct Norm {
-  std::string name;                                         ///< "u"
+  std::string name = {};                                    ///< "u"
   std::string unit = "1";                                   ///< of the error
   double order = std::numeric_limits<double>::quiet_NaN();  ///< least order of the last pair; NaN: nothing is asked
   std::optional<double> most_order = {};                    ///< where more would be wrong, too
@@ -34,16 +34,16 @@ struct Norm {
 
 /// What solving on one spacing gave: an error a norm, in the order of the norms, and what it took.
 struct Measured {
-  std::vector<double> errors;
+  std::vector<double> errors = {};
   Cost cost = {};
 };
 
 struct Refinement {
-  std::string subject;           ///< what was varied: "quadratic, apic"
-  std::vector<double> spacings;  ///< falling, two or more; with fewer than three no uncertainty is told
-  std::vector<Norm> norms;
-  std::function<Measured(std::size_t level)> solve;  ///< solves on spacings[level]
-  std::string variable = "h", variable_unit = "m";   ///< what is refined
+  std::string subject = {};           ///< what was varied: "quadratic, apic"
+  std::vector<double> spacings = {};  ///< falling, two or more; with fewer than three no uncertainty is told
+  std::vector<Norm> norms = {};
+  std::function<Measured(std::size_t level)> solve = {};  ///< solves on spacings[level]
+  std::string variable = "h", variable_unit = "m";        ///< what is refined
 };
 
 /// Solves on every spacing and adds to `findings`, for each norm:

@@ -9,8 +9,8 @@
 
 namespace talus::verification {
 
-/// How values go with the spacing. oscillating: differences change their sign; diverging: they do not shrink.
-enum class Approach { monotone, oscillating, diverging };
+/// How values go with the spacing. oscillating: differences change their sign; unclear: they do not shrink, or vanish.
+enum class Approach { monotone, oscillating, unclear };
 
 /// What a few grids tell.
 struct GridConvergence {
@@ -21,7 +21,7 @@ struct GridConvergence {
 };
 
 /// Roache's grid convergence index of the three finest grids, with safety factor 1.25; p solves
-///   p ln r21 = ln |e32 / e21| + ln ((r21^p - 1) / (r32^p - 1)).
+///   e32 / e21 = r21^p (r32^p - 1) / (r21^p - 1),   r21 = h2 / h1,  e21 = phi2 - phi1,  1 the finest.
 /// Where the approach is not monotone, the uncertainty is 3 times the range of the three values.
 /// Pre: three or more grids.
 /// Source: Roache (1994), doi:10.1115/1.2910291; Celik et al. (2008), doi:10.1115/1.2960953, step 3.
@@ -38,7 +38,8 @@ struct GridConvergence {
 /// mean difference of neighbours D = (max - min) / (n - 1):
 ///   U = F |phi - phi0| + sigma + |phi - fit|                        where sigma < D
 ///   U = 3 sigma / D (|phi - phi0| + sigma + |phi - fit|)            elsewhere
-/// F = 1.25 where 0.5 <= p < 2.1, else 3. The approach is told monotone where p > 0.
+/// F = 1.25 where 0.5 <= p < 2.1, else 3. The approach is told oscillating where
+/// sigma >= D.
 /// Pre: four or more grids.
 /// Source: Eca & Hoekstra (2014), doi:10.1016/j.jcp.2014.01.006.
 [[nodiscard]] GridConvergence convergence_by_least_squares(std::vector<double> const& spacings,
