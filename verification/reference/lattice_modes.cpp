@@ -47,7 +47,8 @@ std::complex<double> wave_factor(Transfer const& transfer, int particles_per_cel
   Eigen::Matrix3d step;
   step << v, u, Eigen::RowVector3d(0, 0, 1) + courant * courant * Q * straining;
   std::complex<double> found = 0;
-  for (std::complex<double> const factor : step.eigenvalues().eval())
+  Eigen::Vector3cd const factors = step.eigenvalues();
+  for (std::complex<double> const factor : factors)
     if (factor.imag() > found.imag()) found = factor;
   return found;
 }
