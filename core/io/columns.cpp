@@ -43,7 +43,7 @@ std::string columns(std::vector<Cells> const& rows, std::string_view sides) {
   std::string text;
   for (Cells const& row : rows) {
     std::string line;
-    for (std::size_t c = 0; c < row.size(); ++c)
+    for (std::size_t c = 0; c < std::min(row.size(), widths.size()); ++c)
       if (widths[c] > 0) line += "  " + padded(row[c], widths[c], c < sides.size() && sides[c] == 'r');
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

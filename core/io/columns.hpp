@@ -11,7 +11,8 @@ namespace talus::io {
 [[nodiscard]] std::string in_short(double value);
 
 /// Lines of a table: two blanks before each column, which is as wide as it must be; columns that are empty below the
-/// first row are left out. `sides` holds 'r' for each column whose cells are put to the right; it may be shorter.
+/// first row are left out, and so are cells beyond those of the first row. `sides` holds 'r' for each column whose cells
+/// are put to the right; it may be shorter.
 [[nodiscard]] std::string columns(std::vector<std::vector<std::string>> const& rows, std::string_view sides);
 
 }  // namespace talus::io

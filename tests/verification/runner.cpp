@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(results_stand_in_the_order_of_the_cases) {
 BOOST_AUTO_TEST_CASE(memory_and_time_are_of_the_case_alone) {
   auto const results = results_of({one("memory", hold_memory), one("little", note_threads)});
   BOOST_TEST(results[0].peak_memory > 80'000'000);
-  BOOST_TEST(results[1].peak_memory < 80'000'000);
+  BOOST_TEST(results[0].peak_memory > results[1].peak_memory + 60'000'000);
   BOOST_TEST(results[1].findings.rows.at(0).found == talus::thread_count());  // all threads, for a case alone
   BOOST_TEST(results[0].processor_seconds > 0);
 }
