@@ -15,6 +15,9 @@ struct ContactRule {
   bool separates = true;           ///< the wall pushes and never pulls
   bool material_friction = false;  ///< the coefficient of friction is the material's at the node, not `friction`
   double friction = 0;             ///< coefficient of friction [1]
+
+  /// Whether the wall pulls as well as it pushes.
+  [[nodiscard]] bool holds() const { return sticks || !separates; }
 };
 
 /// A node on a face of a wall.

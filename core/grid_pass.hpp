@@ -3,6 +3,7 @@
 ///
 ///   v_i^old = (mv)_i / m_i,   v_i* = v_i^old + dt f_i / m_i + dt g,   v_i = walls(v_i*)
 
+#include <algorithm>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -178,6 +179,16 @@ typename GridPass<D>::Near GridPass<D>::near(BlockGrid<D> const& grid, std::size
   return near;
 }
 
+/// The faces of a wall that x lies on or behind, moved to the front of `surfaces`; returns how many.
+template <int D>
+int touching(Wall<D> const& wall, Point<D> const& x, double t,
+             std::array<Surface<D>, Wall<D>::max_surfaces>& surfaces) {
+  int const faces = wall.surfaces(x, t, surfaces);
+  auto const behind = [](Surface<D> const& surface) { return surface.distance <= 0; };
+  return static_cast<int>(std::stable_partition(surfaces.begin(), surfaces.begin() + faces, behind) -
+                          surfaces.begin());
+}
+
 /// The velocity that the walls leave node n of a block that would move with `velocity`.
 template <int D>
 NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, double mass, double friction,
@@ -195,11 +206,12 @@ NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, dou
   for (std::size_t k = 0; k < candidates; ++k) {
     int const w = far ? static_cast<int>(k) : near.walls[k];
     Wall<D> const& wall = *scene_.walls[static_cast<std::size_t>(w)];
-    int const faces = wall.surfaces(x, t + dt, surfaces);
+    int faces = touching(wall, x, t + dt, surfaces);
+    // what pulls as well does not let a node go that it has
+    if (faces == 0 && wall.contact.holds()) faces = touching(wall, node_from(near.corner, n), t, surfaces);
     for (int s = 0; s < faces && count < most_touches; ++s)
-      if (Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)]; surface.distance <= 0)
-        touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
-                            wall.contact.material_friction ? friction : wall.contact.friction, w};
+      touches[count++] = {surfaces[static_cast<std::size_t>(s)].normal, wall.velocity(t + dt), wall.contact,
+                          wall.contact.material_friction ? friction : wall.contact.friction, w};
   }
   if (count == 0) return velocity;
   v = resolve<D>(std::span(touches.data(), count), v, std::span(changes.data(), count));

@@ -35,8 +35,8 @@ struct Cubic {
     T const right2 = right * right, left2 = left * left;
     w[0] = T(1.0 / 6.0) * left2 * left;                        // (2)
     w[1] = T(2.0 / 3.0) - right2 * (T(1.0) - T(0.5) * right);  // (1)
-    w[2] = T(2.0 / 3.0) - left2 * (T(1.0) - T(0.5) * left);    // (1)
     w[3] = T(1.0 / 6.0) * right2 * right;                      // (2)
+    w[2] = T(1.0) - (w[0] + w[1] + w[3]);                      // (1): no rounding of 1/6 may be left that sums up
   }
   /// dN/dxi of the same nodes.
   template <Scalar T>
