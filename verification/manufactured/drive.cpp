@@ -77,8 +77,13 @@ template <int D>
 Driven<D> drive(Solution<D> const& solution, Discretisation<D> const& with) {
   std::vector<Seed<D>> seeds;
   for (Point<D> const& X : with.places) {
-    auto const before = solution.at(X, -with.lag * with.dt);
-    seeds.push_back({X, before.v, solution.solid.density * with.volume, before.L});
+    auto const start = solution.at(X, 0), before = solution.at(X, -with.lag * with.dt);
+    auto const strain = exact_strain(start);
+    seeds.push_back({start.x,
+                     before.v,
+                     solution.solid.density * with.volume,
+                     before.L,
+                     {strain.entries.begin(), strain.entries.end()}});
   }
   bool const hencky = solution.solid.law == exact::ElasticLaw::hencky;
   auto const simulation = begin(

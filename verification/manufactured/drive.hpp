@@ -49,8 +49,8 @@ struct Discretisation {
   double h = 0, dt = 0;  ///< [m], [s]
   long steps = 0;
   BlockIndex<D> periods = {};
-  std::vector<Point<D>> places = {};  ///< X_p: where the particles are at t = 0 [m]
-  double volume = 0;                  ///< of each particle at t = 0 [m^D]
+  std::vector<Point<D>> places = {};  ///< X_p: where the undeformed particles are [m]
+  double volume = 0;                  ///< of each particle, undeformed [m^D]
   /// By how many steps the velocity lags behind the place: half a step in a symplectic scheme that is of second order.
   double lag = 0.5;
   std::function<void(Scene<D>&)> adds = {};                   ///< walls
