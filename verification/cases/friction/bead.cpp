@@ -62,7 +62,7 @@ double missed(Scheme const& scheme, double radius, Cost& cost) {
 void refine(Findings& findings, Plot& plot, Scheme const& scheme) {
   Curve curve{scheme.name()};
   Cost cost;
-  for (double const radius : {0.02, 0.01, 0.005, 0.0025}) {
+  for (double const radius : {0.01, 0.005, 0.0025, 0.00125}) {
     Cost own;
     curve.x.push_back(radius / bowl_radius);
     curve.y.push_back(std::abs(missed(scheme, radius, own)));
@@ -73,7 +73,7 @@ void refine(Findings& findings, Plot& plot, Scheme const& scheme) {
   findings.check(scheme.name(), "order in r/R of |v/v_exact - 1|",
                  std::log(curve.y.front() / curve.y.back()) / std::log(curve.x.front() / curve.x.back()), at_least(0.9),
                  "1, the length over which the wall acts over its radius", cost);
-  std::string const measure = "|v/v_exact - 1| at r = R/400";
+  std::string const measure = "|v/v_exact - 1| at r = R/800";
   if (scheme.transfer == "pic" || scheme.alpha < 1)
     findings.note(scheme.name(), measure, curve.y.back(), "the transfer takes out what the wall makes spin and ring");
   else
