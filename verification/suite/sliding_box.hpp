@@ -48,8 +48,8 @@ struct SlidingBox {
 [[nodiscard]] Scene<2> scene_of_box(SlidingBox const& box, Point<2> const& gravity, double belt = 0);
 
 /// The box at rest, strained as it is while it slides down steadily. It has lain on a belt that ran upslope beneath it,
-/// under the force mu g cos theta t - g cos theta n which it feels in a frame that slides along; PIC took the waves out.
-/// upslope: strained as it is while it slides up.
+/// under the force mu g cos theta t - g cos theta n which it feels in a frame that slides along; PIC took the waves
+/// out. upslope: strained as it is while it slides up.
 [[nodiscard]] std::vector<Seed<2>> settled_sliding(SlidingBox const& box, bool upslope = false);
 
 /// The box at rest, stuck to the slope under its weight.

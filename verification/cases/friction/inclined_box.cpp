@@ -3,8 +3,8 @@
 ///   a = g (sin theta - mu cos theta),   x_n = a t_n (t_n + dt)/2,   mu = tan 15 degrees                 (1)
 ///
 /// The walls act on nodes, and the nodes inside of the plane change as the box passes them. The box begins at rest with
-/// the strain of steady sliding, as in friction/sliding_box, but that strain belongs to the place on the grid in which it
-/// was found: under way the box sinks by a part of a cell (y < 0: x grows by mu |y|), the load on a node is not
+/// the strain of steady sliding, as in friction/sliding_box, but that strain belongs to the place on the grid in which
+/// it was found: under way the box sinks by a part of a cell (y < 0: x grows by mu |y|), the load on a node is not
 /// constant, and nodes that a particle has just reached stick. So (1) holds to the grid's noise and not to rounding.
 ///
 /// Source: the figure of the sliding box in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643.

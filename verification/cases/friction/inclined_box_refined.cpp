@@ -1,10 +1,10 @@
 /// The box of friction/inclined_box on five grids, with two and three particles to a cell along an axis.
 ///
-/// While the box is slow, nodes that a particle has just reached, of next to no mass, are thrown about by the stress and
-/// stick: the friction is less than mu N until the box is faster than that. The velocity so gained counts most where
-/// the acceleration is least, at 16 degrees. It falls with the spacing and with more particles, by no fixed order.
-/// Asked of are boxes of eight cells and more; those of four and six are two and three cells high, and a kernel reaches
-/// three.
+/// While the box is slow, nodes that a particle has just reached, of next to no mass, are thrown about by the stress
+/// and stick: the friction is less than mu N until the box is faster than that. The velocity so gained counts most
+/// where the acceleration is least, at 16 degrees. It falls with the spacing and with more particles, by no fixed
+/// order. Asked of are boxes of eight cells and more; those of four and six are two and three cells high, and a kernel
+/// reaches three.
 
 #include <cmath>
 

@@ -5,9 +5,10 @@
 ///
 /// A wall acts on all that a kernel ties to the nodes within it, some 1.5 h high. So the disc rolls on a radius that is
 /// larger than R by up to 1.5 h: by (1) with R' for the lever of friction, a = g sin theta/(1 + R^2/(2 R'^2)), its
-/// acceleration is uncertain by h/R. And it is held over a length b = sqrt(3 R h) to either side of the point of contact,
-/// pushed ahead of it and not pulled behind: a resistance to rolling, which keeps a disc with tan theta < b/R from
-/// turning at all. Asked for is h/R on slopes of tan theta > b/R; this is what a wall of nodes can do, and no more.
+/// acceleration is uncertain by h/R. And it is held over a length b = sqrt(3 R h) to either side of the point of
+/// contact, pushed ahead of it and not pulled behind: a resistance to rolling, which keeps a disc with tan theta < b/R
+/// from turning at all. Asked for is h/R on slopes of tan theta > b/R; this is what a wall of nodes can do, and no
+/// more.
 ///
 /// Source: rigid-body mechanics; derived here.
 

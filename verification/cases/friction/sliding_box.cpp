@@ -5,15 +5,17 @@
 /// is Coulomb's law in the discrete motion of symplectic Euler: a box that slides as one has it to rounding.
 ///
 /// The box must begin as it goes on. One without stress bounces, and one in the static state is sheared otherwise than
-/// one that slides; either rings, and where the base's velocity is turned by the ringing its friction is less than mu N.
-/// So it begins at rest with the strain of steady sliding (see suite/sliding_box.hpp); (1) then holds from the first
-/// step. Nothing is fitted, and the scheme that settles it is not the one that is tested.
+/// one that slides; either rings, and where the base's velocity is turned by the ringing its friction is less than mu
+/// N. So it begins at rest with the strain of steady sliding (see suite/sliding_box.hpp); (1) then holds from the first
+/// step. Nothing is fitted; it is settled by PIC, whichever scheme is tested.
 ///
-/// Poisson's ratio is 0. With 0.3 the box flutters: friction ties the normal motion of the base to the tangential one,
-/// steady sliding is unstable however small the disturbance and the time step, and schemes that do not damp show the
-/// box hop on the plane (Adams 1995, doi:10.1115/1.2896013, has it for half-spaces; not re-read). Its centre then rises
-/// by y, and x falls short of (1) by mu y: momentum and Coulomb's law ask for no more than x + mu y = a t (t + dt)/2.
-/// That is asked of it, too, and x alone of schemes that damp.
+/// Poisson's ratio is 0. With 0.3 the box flutters: friction ties the motion of the base across the plane to that along
+/// it, steady sliding is unstable however small the disturbance and the time step, and schemes that do not damp show
+/// the box hop (Adams 1995, doi:10.1115/1.2896013, has it for half-spaces; not re-read). Finite elements of this box,
+/// linear, with friction at the base, have a mode that grows by 79 a second at 135 Hz, on 8 by 4, 12 by 6 and 16 by 8
+/// of them; with nu = 0 they have only such as the mesh brings, at its shortest waves. As it hops, its centre rises by
+/// y, and x falls short of (1) by mu y: momentum and Coulomb's law ask for no more than x + mu y = a t (t + dt)/2. That
+/// is asked of it, too, and x alone of schemes that damp.
 ///
 /// Source: the figure of the sliding box in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643.
 
@@ -113,21 +115,49 @@ void refines_time(Findings& findings, Settled settled) {
                             {discrete, continuous}});
 }
 
+/// Frequency of the load while it strays from the weight by 1e-4 to 1e-1 of it: the flutter grows, no node leaves.
+class Pitch {
+ public:
+  explicit Pitch(SlidingBox const& box) : weight_(box.mass() * box.gravity * std::cos(box.angle)) {}
+  void hear(Simulation<2> const& simulation) {
+    double const impulse = simulation.momentum().walls[0][1];
+    double const stray = (impulse - before_) / (weight_ * simulation.last_step().dt) - 1;
+    before_ = impulse;
+    largest_ = std::max(largest_, std::abs(stray));
+    if (largest_ > 1e-4 && largest_ < 0.1 && last_ < 0 && stray >= 0) {
+      if (crossings_++ == 0) first_ = simulation.time();
+      latest_ = simulation.time();
+    }
+    last_ = stray;
+  }
+  [[nodiscard]] double hertz() const { return (crossings_ - 1) / (latest_ - first_); }
+
+ private:
+  double weight_, before_ = 0, largest_ = 0, last_ = 0, first_ = 0, latest_ = 0;
+  int crossings_ = 0;
+};
+
 /// Poisson's ratio 0.3.
 void flutters(Findings& findings, Scheme const& scheme, bool damps) {
-  SlidingBox box{.scheme = scheme, .angle = 16 * degree, .poisson = 0.3};
-  Slid const slid = slide(box, settled_sliding(box), end);
+  SlidingBox const box{.scheme = scheme, .angle = 16 * degree, .poisson = 0.3};
+  Pitch pitch(box);
+  Slid const slid = slide(box, settled_sliding(box), end, [&](auto const& simulation) { pitch.hear(simulation); });
   std::string const subject = scheme.name() + ", nu = 0.3, 16 deg", measure = "|x/x_exact - 1| at 5 s";
   double const exact = box.acceleration() * slid.half_square(), off = std::abs(slid.along / exact - 1);
-  if (damps)
-    findings.check(subject, measure, off, at_most(1e-4), bar, slid.cost);
-  else
-    findings.note(subject, measure, off, "the box flutters and rises: x falls short by mu y", slid.cost);
   findings.check(subject, "|(x + mu y)/x_exact - 1| at 5 s",
                  std::abs((slid.along + box.friction * slid.away) / exact - 1), at_most(1e-4),
-                 "momentum and Coulomb's law, whether it hops or not");
+                 "momentum and Coulomb's law, whether it hops or not", slid.cost);
+  if (damps) {
+    findings.check(subject, measure, off, at_most(1e-4), bar);
+    return;
+  }
+  findings.note(subject, measure, off, "the box flutters and rises: x falls short by mu y");
   findings.note(subject, "rise y over h", slid.away / box.spacing);
   findings.note(subject, "greatest load of a step over the weight", slid.greatest_load);
+  findings
+      .note(subject, "frequency of the load as the flutter grows", pitch.hertz(),
+            "135 Hz by finite elements; a box of four cells is held as high as a kernel reaches, and its waves lag")
+      .unit = "Hz";
 }
 
 /// Ways over time.

@@ -1,10 +1,10 @@
-/// The sliding box of friction/sliding_box at 16 degrees, the slope at which its way is the shortest, over stiffness, grid,
-/// kernel and transfer.
+/// The sliding box of friction/sliding_box at 16 degrees, the slope at which its way is the shortest, over stiffness,
+/// grid, kernel and transfer.
 ///
 ///   x_n = a t_n (t_n + dt)/2,   a = g (sin theta - mu cos theta),   mu = tan 15 degrees                 (1)
 ///
-/// Every kernel and transfer on three grids at E = 1e6; then E from 1e5 to 1e9 on the coarsest of them. A particle of the
-/// softest box crosses too much of a cell in a stable step: its step is half as long.
+/// Every kernel and transfer on three grids at E = 1e6; then E from 1e5 to 1e9 on the coarsest of them. A particle of
+/// the softest box crosses too much of a cell in a stable step: its step is half as long.
 ///
 /// Source: the figure of the sliding box in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643.
 

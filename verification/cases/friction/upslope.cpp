@@ -4,10 +4,10 @@
 ///   down:  v' = -a_d,  a_d = g (sin theta - mu cos theta),  if tan theta > mu
 ///
 /// Symplectic Euler with v_0 = n a_u dt stops at step n, after a_u dt^2 n (n - 1)/2 = v_0^2/(2 a_u) (1 - 1/n), and from
-/// there slides back with a_d. The box starts with the strain of a box that slides up steadily. As it stops, its friction
-/// turns from -mu N to mu N, which takes an elastic box the time of a shear wave through its height, 2 H/c_s: so it
-/// begins to slide with a velocity that is off by up to 4 mu g cos theta H/c_s, and keeps that. The way back is off by
-/// that times t, not a matter of the scheme; what is asked of the way back is its acceleration.
+/// there slides back with a_d. The box starts with the strain of a box that slides up steadily. As it stops, its
+/// friction turns from -mu N to mu N, which takes an elastic box the time of a shear wave through its height, 2 H/c_s:
+/// so it begins to slide with a velocity that is off by up to 4 mu g cos theta H/c_s, and keeps that. The way back is
+/// off by that times t, not a matter of the scheme; what is asked of the way back is its acceleration.
 ///
 /// Source: Coulomb's law; derived here.
 
