@@ -131,7 +131,7 @@ Case const conservation_spin{"conservation/spin",
                              "angular momentum",
                              "Jiang et al. (2015), doi:10.1145/2766996 (abstract read): kept by APIC",
                              1,
-                             40,
+                             90,
                              run};
 
 }  // namespace talus::verification

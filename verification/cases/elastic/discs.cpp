@@ -131,7 +131,7 @@ Case const elastic_discs{"elastic/discs",
                          "symmetry, momentum, the time of free contact, elastic rebound",
                          "Sulsky, Chen & Schreyer (1994), doi:10.1016/0045-7825(94)90112-0 (parameters from memory)",
                          1,
-                         20,
+                         40,
                          run};
 
 }  // namespace talus::verification

@@ -93,7 +93,7 @@ Case const elastic_hydrostatic{"elastic/hydrostatic",
                                "the static balance",
                                "textbook; eps_q: derived, sum of V N' on a lattice",
                                1,
-                               20,
+                               40,
                                run};
 
 }  // namespace talus::verification
