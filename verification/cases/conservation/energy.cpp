@@ -188,8 +188,8 @@ Case const conservation_energy{"conservation/energy",
                                "Plastic blocks collide between walls of every kind: the ledger closes",
                                "the balance of energy and angular momentum",
                                "derived in core/ledger.hpp",
-                               1,
-                               40,
+                               0,
+                               15,
                                run};
 
 }  // namespace talus::verification

@@ -145,7 +145,7 @@ Case const conservation_objectivity{"conservation/objectivity",
                                     "derived in the case's file; the test of rotated stretch: Kamojjala et al. (2015), "
                                     "doi:10.1007/s00366-013-0342-x",
                                     0,
-                                    5,
+                                    10,
                                     run};
 
 }  // namespace talus::verification

@@ -168,8 +168,8 @@ Case const conservation_symmetry{"conservation/symmetry",
                                  "Mirrored, turned, in another order, on more threads: the same solution",
                                  "the solution itself",
                                  "symmetry of the discrete problem",
-                                 1,
-                                 30,
+                                 0,
+                                 15,
                                  run};
 
 }  // namespace talus::verification

@@ -19,8 +19,8 @@ namespace talus::verification {
 
 namespace {
 
-constexpr double h = 0.05, R = 0.2, E = 1000, density = 1000, dt = 4e-3;
-constexpr long steps = 900;  // 3.6 s
+constexpr double h = 0.05, R = 0.2, E = 1000, density = 1000, dt = 1e-3;
+constexpr long steps = 4400;  // 4.4 s
 double const closing = 0.2 * std::sqrt(2), meeting = (0.6 * std::sqrt(2) - 2 * R) / closing;
 
 /// Particle 2 k + 1 is particle 2 k turned about (0.5, 0.5).
@@ -41,10 +41,12 @@ std::vector<Seed<2>> discs() {
 }
 
 struct Found {
-  double asymmetry = 0;           ///< largest distance of a particle from its turned partner [m]
-  double momentum = 0;            ///< largest |sum m v| over sum m |v| at the start
-  double contact = 0;             ///< when a disc has lost 1 % of its momentum [s]
-  double kinetic = 0, total = 0;  ///< at the end over the start
+  double asymmetry = 0;               ///< largest distance of a particle from its turned partner [m]
+  double momentum = 0;                ///< largest |sum m v| over sum m |v| at the start
+  double contact = 0;                 ///< when a disc has lost 1 % of its momentum [s]
+  double kinetic = 1;                 ///< largest kinetic energy since its least, over that at the start
+  double total = 0;                   ///< energy at the end over that at the start
+  double transfer = 0, stepping = 0;  ///< what transfer and stepping took, over the energy at the start
   Curve energy = {};
 };
 
@@ -58,6 +60,7 @@ Found collided(Scheme const& scheme, Cost& cost) {
   auto const& ledger = simulation->ledger();
   Found found;
   found.energy.name = scheme.name();
+  double least = 1;
   take_steps(*simulation, steps, cost, [&] {
     auto const x = vectors(*simulation, "position"), v = vectors(*simulation, "velocity");
     Point<2> one = Point<2>::Zero(), both = Point<2>::Zero();
@@ -68,39 +71,55 @@ Found collided(Scheme const& scheme, Cost& cost) {
     }
     found.momentum = std::max(found.momentum, both.norm() / start);
     if (found.contact == 0 && one.norm() < 0.99 * start / 2) found.contact = simulation->time();
-    if (simulation->step_count() % 10 != 0) return;
+    double const kinetic = ledger.now.kinetic / ledger.start.kinetic;
+    if (kinetic < least) least = found.kinetic = kinetic;
+    found.kinetic = std::max(found.kinetic, kinetic);
+    if (simulation->step_count() % 40 != 0) return;
     found.energy.x.push_back(simulation->time());
-    found.energy.y.push_back(ledger.now.kinetic / ledger.start.kinetic);
+    found.energy.y.push_back(kinetic);
   });
-  found.kinetic = ledger.now.kinetic / ledger.start.kinetic;
+  found.transfer = ledger.transfer / ledger.start.kinetic;
+  found.stepping = ledger.stepping / ledger.start.kinetic;
   found.total = (ledger.now.kinetic + ledger.now.elastic) / ledger.start.kinetic;
   return found;
 }
 
+void of(Findings& findings, Plot& plot, Scheme const& scheme) {
+  Cost cost;
+  Found const found = collided(scheme, cost);
+  double const reach = (scheme.degree() + 1) * h / closing;
+  findings
+      .check(scheme.name(), "distance from symmetry", found.asymmetry, at_most(1e-12),
+             "a symmetry of the discrete problem", cost)
+      .unit = "m";
+  findings.check(scheme.name(), "momentum over sum m |v|", found.momentum, at_most(1e-13), "exact");
+  findings
+      .check(scheme.name(), "time of contact", found.contact, {meeting - reach, meeting + 0.5 * h / closing},
+             "(1) less the kernel's reach; outermost particles lie up to h/2 inside the rim")
+      .unit = "s";
+  bool const increments = scheme.transfer == "flip" || scheme.transfer == "aflip";
+  if (increments && scheme.integrator == "musl") {
+    findings.check(scheme.name(), "kinetic energy recovered", found.kinetic, at_least(0.9),
+                   "elastic; part goes into vibrations");
+    findings.check(scheme.name(), "total energy at the end", found.total, {0.98, 1.02}, "next to no loss");
+  } else {
+    std::string const why =
+        increments ? "asked with musl alone: with usl, flip takes (1 - S) pi omega dt of a wave in a period, "
+                     "which of the short waves of a collision is much"
+                   : "the transfer smooths";
+    findings.note(scheme.name(), "kinetic energy recovered", found.kinetic, why);
+    findings.note(scheme.name(), "total energy at the end", found.total, why);
+  }
+  findings.note(scheme.name(), "energy that the transfer took", found.transfer);
+  findings.note(scheme.name(), "energy that stepping took", found.stepping);
+  plot.curves.push_back(found.energy);
+}
+
 void run(Findings& findings) {
   Plot plot{"Kinetic energy of two discs that collide", "t [s]", "over that at the start", false, false, {}};
-  for (Scheme const& scheme : all_schemes()) {
-    if (scheme.degree() == 1) continue;
-    Cost cost;
-    Found const found = collided(scheme, cost);
-    double const reach = (scheme.degree() + 1) * h / closing;
-    findings
-        .check(scheme.name(), "distance from symmetry", found.asymmetry, at_most(1e-12),
-               "a symmetry of the discrete problem", cost)
-        .unit = "m";
-    findings.check(scheme.name(), "momentum over sum m |v|", found.momentum, at_most(1e-13), "exact");
-    findings
-        .check(scheme.name(), "time of contact", found.contact, {meeting - reach, meeting + 0.5 * h / closing},
-               "(1) less the kernel's reach; outermost particles lie up to h/2 inside the rim")
-        .unit = "s";
-    if (scheme.transfer == "flip" || scheme.transfer == "aflip") {
-      findings.check(scheme.name(), "kinetic energy recovered", found.kinetic, at_least(0.9), "elastic; part rings on");
-      findings.check(scheme.name(), "total energy at the end", found.total, {0.98, 1.02}, "next to no loss");
-    } else {
-      findings.note(scheme.name(), "kinetic energy recovered", found.kinetic, "the transfer smooths");
-    }
-    plot.curves.push_back(found.energy);
-  }
+  for (std::string const integrator : {"usl", "musl"})
+    for (Scheme const& scheme : all_schemes(integrator))
+      if (scheme.degree() > 1) of(findings, plot, scheme);
   findings.omit("linear", "all", "internal forces on nodes of next to no mass are weakened: momentum is not kept");
   findings.plots.push_back(plot);
 }
@@ -112,7 +131,7 @@ Case const elastic_discs{"elastic/discs",
                          "symmetry, momentum, the time of free contact, elastic rebound",
                          "Sulsky, Chen & Schreyer (1994), doi:10.1016/0045-7825(94)90112-0 (parameters from memory)",
                          1,
-                         20,
+                         40,
                          run};
 
 }  // namespace talus::verification
