@@ -185,8 +185,7 @@ int touching(Wall<D> const& wall, Point<D> const& x, double t,
              std::array<Surface<D>, Wall<D>::max_surfaces>& surfaces) {
   int const faces = wall.surfaces(x, t, surfaces);
   auto const behind = [](Surface<D> const& surface) { return surface.distance <= 0; };
-  return static_cast<int>(std::stable_partition(surfaces.begin(), surfaces.begin() + faces, behind) -
-                          surfaces.begin());
+  return static_cast<int>(std::stable_partition(surfaces.begin(), surfaces.begin() + faces, behind) - surfaces.begin());
 }
 
 /// The velocity that the walls leave node n of a block that would move with `velocity`.

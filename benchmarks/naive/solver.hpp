@@ -86,14 +86,14 @@ class Solver {
     }
   }
 
-  /// A wall acts on a node that would move into it.
+  /// A wall acts on a node that would move into it; the floor, which sticks, on one that is in it, too.
   void move_grid(double dt) {
     grid_.for_each_massive([&](Node<D>& node, Point<D> const& x) {
       Point<D> v = node.v / node.mass + dt * gravity_;
       Point<D> const above = x + dt * v - corner_;
       for (int d = 0; d < D; ++d)
         if (above[d] <= 0) v[d] = std::max(v[d], 0.0);
-      if (above[1] <= 0) v.setZero();
+      if (above[1] <= 0 || x[1] <= corner_[1]) v.setZero();
       node.v = v;  // (3)
     });
   }

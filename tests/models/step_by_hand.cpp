@@ -83,9 +83,9 @@ void add_walls(Scene<D>& scene) {
   scene.walls.push_back(make_wall<D, wall::HalfSpace, wall::Separating, wall::Fixed>("back", back, {}, {}));
 }
 template <int D>
-Point<D> walled(Point<D> const& x, Point<D> v) {
-  if (x[1] <= 0) return Point<D>::Zero();
-  if (x[0] <= 0) v[0] = std::max(v[0], 0.0);
+Point<D> walled(Point<D> const& x, Point<D> const& to, Point<D> v) {
+  if (x[1] <= 0 || to[1] <= 0) return Point<D>::Zero();
+  if (to[0] <= 0) v[0] = std::max(v[0], 0.0);
   return v;
 }
 

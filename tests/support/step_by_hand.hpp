@@ -30,8 +30,8 @@ struct ByHand {
   static constexpr int D = Kinematics::dimension;
   using Shape = typename Kinematics::Shape;
   using Tensor = Eigen::Matrix<double, D, D>;
-  /// Velocity that the walls leave a node that would move to x.
-  using Walls = std::function<Point<D>(Point<D> const& x, Point<D> v)>;
+  /// Velocity that the walls leave a node that would move from x to `to`.
+  using Walls = std::function<Point<D>(Point<D> const& x, Point<D> const& to, Point<D> v)>;
 
   struct Particle {
     Point<D> x, v;
@@ -112,7 +112,7 @@ struct ByHand {
   void move(Index const& index, Node& node, double dt) const {
     node.old = node.momentum / node.mass;
     node.v = node.old + dt * (node.force / std::max(node.mass, least_mass) + gravity);
-    node.v = walls(place(index) + dt * node.v, node.v);
+    node.v = walls(place(index), place(index) + dt * node.v, node.v);
   }
 
   void from_nodes(Particle& p, double dt) {

@@ -12,10 +12,9 @@
 
 #include <array>
 #include <limits>
-#include <numbers>
+#include <limits>
 
-#include "verification/exact/vortex.hpp"
-#include "verification/manufactured/drive.hpp"
+#include "verification/manufactured/vortex.hpp"
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
@@ -23,29 +22,22 @@ namespace talus::verification {
 
 namespace {
 
-constexpr double side = 3, end = 0.5, courant = 0.2;
 constexpr std::array cells{24, 48, 96}, per_axis{2, 3, 4};
 
 /// Errors of u [m], v [m/s] and tau/G on the finest grid.
 using Levels = std::array<double, 3>;
 
 void refine_vortex(Findings& findings, Scheme const& scheme, double order, Levels const& levels) {
-  auto const solid = exact::Elastic::of(exact::ElasticLaw::hencky, 1000, 0.3, 1000);
-  exact::Vortex const motion{0.1, std::numbers::pi, 4, {side / 2, side / 2}};
-  auto const solution = manufactured::solution_of(motion, solid);
+  auto const solid = manufactured::vortex_solid();
+  auto const solution = manufactured::solution_of(manufactured::vortex_motion(), solid);
   std::string const why = "lumped mass: order 2; level: computed once by a program of its own, +15 %";
   Refinement study{scheme.name(), {}, {}};
   study.norms = {{.name = "u", .unit = "m", .order = order, .level = 1.15 * levels[0], .because = why},
                  {.name = "v", .unit = "m/s", .level = 1.15 * levels[1], .because = why},
                  {.name = "tau/G", .level = 1.15 * levels[2], .because = why}};
-  for (int const N : cells) study.spacings.push_back(side / N);
+  for (int const N : cells) study.spacings.push_back(manufactured::vortex_side / N);
   study.solve = [&](std::size_t level) {
-    int const N = cells[level], n = per_axis[level];
-    double const h = side / N;
-    long const steps = std::lround(end * solid.wave_speed() / (courant * h));
-    manufactured::Discretisation<2> with{scheme, h, end / double(steps), steps, {N / 4, N / 4}};
-    with.places = lattice<2>(Point<2>::Zero(), {N, N}, {n, n}, h);
-    with.volume = h * h / (n * n);
+    auto const with = manufactured::vortex_discretisation(scheme, cells[level], per_axis[level]);
     auto const errors = manufactured::errors_of<2>(drive<2>(solution, with), solution, with);
     return Measured{{errors.u, errors.v, errors.stress / solid.G}, errors.cost};
   };
