@@ -12,7 +12,6 @@
 
 #include <array>
 #include <limits>
-#include <limits>
 
 #include "verification/manufactured/vortex.hpp"
 #include "verification/suite/cases.hpp"
