@@ -100,12 +100,12 @@ Wave against_closed_form(Findings& findings, Scheme const& scheme, int N) {
   Cost cost;
   Wave const found = measured(scheme, N, cost), exact = predicted(scheme, N);
   std::string const subject = scheme.name() + ", N = " + std::to_string(N);
-  findings.check(subject, "frequency over the scheme's own - 1", std::abs(found.turn / exact.turn - 1), at_most(1e-6),
+  findings.check(subject, "frequency over the scheme's own - 1", std::abs(found.turn / exact.turn - 1), at_most(1e-10),
                  "closed form of the linear scheme; amplitude 1e-7", cost);
   double const loss = loss_per_period(exact);
   findings.check(subject, "loss per period", loss_per_period(found),
-                 {loss - 0.001 * std::abs(loss) - 1e-7, loss + 0.001 * std::abs(loss) + 1e-7},
-                 "closed form of the linear scheme -+ 0.1 %");
+                 {loss - 1e-6 * std::abs(loss) - 1e-10, loss + 1e-6 * std::abs(loss) + 1e-10},
+                 "closed form of the linear scheme -+ 1e-6 of it");
   return found;
 }
 
