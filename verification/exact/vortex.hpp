@@ -13,7 +13,7 @@
 ///
 /// q = 2 is the published form; there alpha'' and with it b jump at the rim. For q = 4 the slope of b is continuous.
 ///
-/// Source: Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x; (3) and (5) are derived here.
+/// Source: Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x; (3), (5): derived here.
 
 #include "core/tensor.hpp"
 #include "verification/exact/elastic.hpp"

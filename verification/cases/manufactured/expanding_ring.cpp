@@ -1,6 +1,7 @@
 /// A ring that breathes with free rims, which cut through cells.
 ///
-///   U = A sin(pi c t/(a + b)) (c_3 R^3 + c_2 R^2 + c_1 R),   a = 0.4 m, b = 0.6 m, A = 0.1 m, E = 1e7 Pa, nu = 0, rho_0 = 1000 kg/m^3
+///   U = A sin(pi c t/(a + b)) (c_3 R^3 + c_2 R^2 + c_1 R)
+///   a = 0.4 m, b = 0.6 m, A = 0.1 m, E = 1e7 Pa, nu = 0, rho_0 = 1000 kg/m^3
 ///
 /// to a fifth of the period. Particles lie on a lattice and only those within the ring are there: the mass of cells at
 /// the rim is off by O(1), so that order 1 is what may be hoped for, whatever the inside does.

@@ -1,8 +1,8 @@
 /// The periodic bar with a fixed number n of particles in a cell: what no finer grid removes.
 ///
 /// Particles that have moved apart leave an unbalanced force sigma eps_q (transfer/quadrature): the stress stays off by
-/// a share of the strain, and the error of u, once below it, grows again as about 1/h. Degree helps more than particles.
-/// Bars are on levels; an order would be that of the floor.
+/// a share of the strain, and the error of u, once below it, grows again as about 1/h. Degree helps more than
+/// particles. Bars are on levels; an order would be that of the floor.
 ///
 /// The levels were computed once by a program of its own in one dimension, which shares no code with this one. They
 /// depend on where the particles happen to lie and hold to the digit given.

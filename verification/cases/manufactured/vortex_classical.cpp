@@ -1,4 +1,5 @@
-/// The generalised vortex as published: q = 2, A = 1, t = 1 s, a neo-Hookean material, shear up to 6.
+/// The generalised vortex as published: q = 2, A = 1, a neo-Hookean material; to t = 0.5 s, when the shear is
+/// largest: 6.
 ///
 ///   E = 1000 Pa, nu = 0.3, rho_0 = 1000 kg/m^3; square of 3 m, periodic and full of material; 24, 48, 96 cells
 ///
@@ -9,9 +10,11 @@
 /// Source: Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x.
 
 #include <array>
+#include <limits>
 #include <numbers>
 #include <optional>
 
+#include "core/errors.hpp"
 #include "verification/exact/vortex.hpp"
 #include "verification/manufactured/drive.hpp"
 #include "verification/suite/cases.hpp"
@@ -21,7 +24,7 @@ namespace talus::verification {
 
 namespace {
 
-constexpr double side = 3, end = 1, courant = 0.2;
+constexpr double side = 3, end = 0.5, courant = 0.15;
 constexpr std::array cells{24, 48, 96}, per_axis{2, 3, 4};
 
 void refine_vortex(Findings& findings, Scheme const& scheme, std::optional<double> level_of_u) {
@@ -41,10 +44,18 @@ void refine_vortex(Findings& findings, Scheme const& scheme, std::optional<doubl
     manufactured::Discretisation<2> with{scheme, h, end / double(steps), steps, {N / 4, N / 4}};
     with.places = lattice<2>(Point<2>::Zero(), {N, N}, {n, n}, h);
     with.volume = h * h / (n * n);
+    with.adds = [](Scene<2>& scene) { scene.limits.gradient = 1; };  // shear is fast, not the step long
     auto const errors = manufactured::errors_of<2>(drive<2>(solution, with), solution, with);
     return Measured{{errors.u, errors.v, errors.stress / solid.G}, errors.cost};
   };
-  refine(findings, study, "Vortex as published");
+  try {
+    refine(findings, study, "Vortex as published");
+  } catch (RunError const& error) {
+    double const none = std::numeric_limits<double>::quiet_NaN();
+    Row& row = level_of_u ? findings.check(scheme.name(), "error of u", none, at_most(*level_of_u), error.what())
+                          : findings.note(scheme.name(), "error of u", none, error.what());
+    row.because = row.because.substr(0, row.because.find('\n'));
+  }
 }
 
 void run(Findings& findings) {
