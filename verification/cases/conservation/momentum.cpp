@@ -125,7 +125,7 @@ void of(Findings& findings, Scheme const& scheme, bool walls, std::string const&
   findings.check(subject, walls ? "momentum, gravity and walls" : "momentum", found.off, at_most(1e-13),
                  "exact in every scheme; rounding of sums", cost);
   if (walls)
-    findings.check(subject, "least impulse of a wall", found.least_wall, at_least(1e-3), "else it would prove nothing");
+    findings.check(subject, "least impulse of a wall", found.least_wall, at_least(1e-4), "else it would prove nothing");
 }
 
 void run(Findings& findings) {
