@@ -37,7 +37,8 @@ class WholeStep {
     step([&](Batch<D> const& batch) {
       Stages<D> const& stages = *simulation_->scene().stages;
       stages.gather(batch, told_.data(), dt, gradients_.data(), motion_);
-      simulation_->scene().materials.front()->update(batch, gradients_.data(), dt, motion_, loads_.data(), false, nullptr);
+      simulation_->scene().materials.front()->update(batch, gradients_.data(), dt, motion_, loads_.data(), false,
+                                                     nullptr);
       stages.scatter(batch, loads_.data(), dt, summed_.data());
     });
   }

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "verification/suite/strain_paths.hpp"
 #include "verification/reference/cvode_path.hpp"
 #include "verification/reference/gsl_path.hpp"
 #include "verification/reference/ida_path.hpp"
+#include "verification/suite/strain_paths.hpp"
 
 using namespace talus;
 using namespace talus::reference;

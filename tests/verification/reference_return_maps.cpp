@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
-#include "verification/suite/strain_paths.hpp"
 #include "verification/reference/closed_forms.hpp"
 #include "verification/reference/cvode_path.hpp"
 #include "verification/reference/return_maps.hpp"
+#include "verification/suite/strain_paths.hpp"
 
 using namespace talus;
 using namespace talus::reference;
