@@ -158,10 +158,10 @@ void of(Findings& findings, Scheme const& scheme, long steps, std::string const&
   Followed<D> const found = follow_ledger(*simulation, steps, cost);
   auto const& ledger = simulation->ledger();
   std::string const subject = scheme.name() + ", " + what;
-  findings.check(subject, "residual of energy", found.worst, at_most(1e-10), "closes by construction", cost);
+  findings.check(subject, "residual of energy", found.worst, at_most(1e-10), "every term is a sum of its own", cost);
   if (scheme.degree() > 1)
     findings.check(subject, "residual of angular momentum", found.worst_spin / found.largest_spin, at_most(1e-10),
-                   "closes by construction");
+                   "every term is a sum of its own");
   findings.check(subject, "least plastic work of a step", found.least_plastic / ledger.start.kinetic, at_least(-1e-14),
                  "dissipation is never negative");
   findings.check(subject, "plastic work over the energy at the start", ledger.plastic / ledger.start.kinetic,
