@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <random>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/simulation.hpp"
+#include "core/by_number.hpp"
 #include "models/make.hpp"
 
 namespace talus::support {
@@ -55,28 +54,8 @@ void fill(Simulation<D>& simulation, std::vector<Seed<D>> const& seeds) {
   simulation.begin();
 }
 
-/// Component c of a field of every particle, by number.
-template <int D>
-std::vector<double> column(Simulation<D> const& simulation, std::string_view field, int c = 0) {
-  Particles<D> const& particles = simulation.particles();
-  std::vector<double> values(particles.count());
-  int const pack = particles.layout().find(field) + c, id = particles.layout().find(field::identity);
-  particles.for_each([&](std::ptrdiff_t slot, int) {
-    values[static_cast<std::size_t>(particles.get(slot, id))] = particles.get(slot, pack);
-  });
-  return values;
-}
-
-/// A vector field of every particle, by number.
-template <int D>
-std::vector<Point<D>> vectors(Simulation<D> const& simulation, std::string_view field) {
-  std::vector<Point<D>> values(simulation.particles().count());
-  for (int d = 0; d < D; ++d) {
-    auto const one = column(simulation, field, d);
-    for (std::size_t k = 0; k < one.size(); ++k) values[k][d] = one[k];
-  }
-  return values;
-}
+using talus::column;
+using talus::vectors;
 
 /// Particles of equal mass in a box from `low` to `high`, `per_axis` a cell along each axis, each shifted by up to
 /// `shift` times their distance at random.

@@ -51,27 +51,6 @@ void take_steps(Simulation<D>& simulation, long n, Cost& cost, std::function<voi
 }
 
 template <int D>
-std::vector<double> column(Simulation<D> const& simulation, std::string_view field, int c) {
-  Particles<D> const& particles = simulation.particles();
-  std::vector<double> values(particles.count());
-  int const pack = particles.layout().find(field) + c, id = particles.layout().find(field::identity);
-  particles.for_each([&](std::ptrdiff_t slot, int) {
-    values[static_cast<std::size_t>(particles.get(slot, id))] = particles.get(slot, pack);
-  });
-  return values;
-}
-
-template <int D>
-std::vector<Point<D>> vectors(Simulation<D> const& simulation, std::string_view field) {
-  std::vector<Point<D>> values(simulation.particles().count());
-  for (int d = 0; d < D; ++d) {
-    auto const one = column(simulation, field, d);
-    for (std::size_t k = 0; k < one.size(); ++k) values[k][d] = one[k];
-  }
-  return values;
-}
-
-template <int D>
 std::vector<Point<D>> lattice(Point<D> const& low, std::array<int, D> cells, std::array<int, D> per_axis,
                               double spacing) {
   long total = 1;
@@ -108,10 +87,6 @@ template std::unique_ptr<Simulation<2>> begin<2>(Scene<2>, std::vector<Seed<2>> 
 template std::unique_ptr<Simulation<3>> begin<3>(Scene<3>, std::vector<Seed<3>> const&);
 template void take_steps<2>(Simulation<2>&, long, Cost&, std::function<void()> const&);
 template void take_steps<3>(Simulation<3>&, long, Cost&, std::function<void()> const&);
-template std::vector<double> column<2>(Simulation<2> const&, std::string_view, int);
-template std::vector<double> column<3>(Simulation<3> const&, std::string_view, int);
-template std::vector<Point<2>> vectors<2>(Simulation<2> const&, std::string_view);
-template std::vector<Point<3>> vectors<3>(Simulation<3> const&, std::string_view);
 template std::vector<Point<2>> lattice<2>(Point<2> const&, std::array<int, 2>, std::array<int, 2>, double);
 template std::vector<Point<3>> lattice<3>(Point<3> const&, std::array<int, 3>, std::array<int, 3>, double);
 template double root_mean_square<2>(std::vector<Point<2>> const&);

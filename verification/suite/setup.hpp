@@ -4,11 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/simulation.hpp"
+#include "core/by_number.hpp"
 #include "models/make.hpp"
 #include "verification/suite/findings.hpp"
 #include "verification/suite/scheme.hpp"
@@ -56,13 +55,8 @@ template <int D>
 template <int D>
 void take_steps(Simulation<D>& simulation, long n, Cost& cost, std::function<void()> const& after_each = {});
 
-/// Component c of a field of every particle, by number.
-template <int D>
-[[nodiscard]] std::vector<double> column(Simulation<D> const& simulation, std::string_view field, int c = 0);
-
-/// A vector field of every particle, by number.
-template <int D>
-[[nodiscard]] std::vector<Point<D>> vectors(Simulation<D> const& simulation, std::string_view field);
+using talus::column;
+using talus::vectors;
 
 /// Centres of cells of a box, per_axis[d] of them to a cell of the grid along axis d, first axis slowest.
 /// cells[d]: grid cells along axis d from `low` on.
