@@ -3,7 +3,6 @@
 ///
 ///   v_i^old = (mv)_i / m_i,   v_i* = v_i^old + dt f_i / m_i + dt g,   v_i = walls(v_i*)
 
-#include <algorithm>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -179,15 +178,6 @@ typename GridPass<D>::Near GridPass<D>::near(BlockGrid<D> const& grid, std::size
   return near;
 }
 
-/// The faces of a wall that x lies on or behind, moved to the front of `surfaces`; returns how many.
-template <int D>
-int touching(Wall<D> const& wall, Point<D> const& x, double t,
-             std::array<Surface<D>, Wall<D>::max_surfaces>& surfaces) {
-  int const faces = wall.surfaces(x, t, surfaces);
-  auto const behind = [](Surface<D> const& surface) { return surface.distance <= 0; };
-  return static_cast<int>(std::stable_partition(surfaces.begin(), surfaces.begin() + faces, behind) - surfaces.begin());
-}
-
 /// The velocity that the walls leave node n of a block that would move with `velocity`.
 template <int D>
 NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, double mass, double friction,
@@ -205,12 +195,21 @@ NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, dou
   for (std::size_t k = 0; k < candidates; ++k) {
     int const w = far ? static_cast<int>(k) : near.walls[k];
     Wall<D> const& wall = *scene_.walls[static_cast<std::size_t>(w)];
-    int faces = touching(wall, x, t + dt, surfaces);
+    double nearest = far_away;
+    auto const touch = [&](Point<D> const& place, double when) {
+      int const faces = wall.surfaces(place, when, surfaces);
+      for (int s = 0; s < faces && count < most_touches; ++s) {
+        Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)];
+        nearest = std::min(nearest, surface.distance);
+        if (surface.distance <= 0)
+          touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
+                              wall.contact.material_friction ? friction : wall.contact.friction, w};
+      }
+    };
+    touch(x, t + dt);
     // what pulls as well does not let a node go that it has
-    if (faces == 0 && wall.contact.holds()) faces = touching(wall, node_from(near.corner, n), t, surfaces);
-    for (int s = 0; s < faces && count < most_touches; ++s)
-      touches[count++] = {surfaces[static_cast<std::size_t>(s)].normal, wall.velocity(t + dt), wall.contact,
-                          wall.contact.material_friction ? friction : wall.contact.friction, w};
+    if (nearest > 0 && wall.contact.holds() && nearest <= dt * (v - wall.velocity(t + dt)).norm())
+      touch(node_from(near.corner, n), t);
   }
   if (count == 0) return velocity;
   v = resolve<D>(std::span(touches.data(), count), v, std::span(changes.data(), count));
@@ -227,7 +226,7 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
   std::fill_n(impulses, scene_.walls.size(), Point<D>::Zero());
   NodeVector g(0.0);
   for (int d = 0; d < D; ++d) g.set(d, dt * scene_.gravity[d]);
-  bool const walls = !scene_.walls.empty();
+  bool const walls = !scene_.walls.empty(), extras = scene_.body_force || scene_.keeps_ledger;
   auto const fast = [&, limit = scene_.spacing / dt](NodeVector v) {
     double square = 0;
     for (int d = 0; d < D; ++d) square += v[d] * v[d];
@@ -253,9 +252,11 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     } else if (stages.friction) {
       friction = old[3];
     }
-    std::size_t const node = b * nodes_per_block + static_cast<std::size_t>(n);
-    if (scene_.body_force) v += body_[node] / NodeVector(std::max(mass, mass_floor_));
-    if (scene_.keeps_ledger) before_[node] = before(node, mass, momentum, sums[(n + 1) * stages.summed - 1], v);
+    if (extras) [[unlikely]] {
+      std::size_t const node = b * nodes_per_block + static_cast<std::size_t>(n);
+      if (scene_.body_force) v += body_[node] / NodeVector(std::max(mass, mass_floor_));
+      if (scene_.keeps_ledger) before_[node] = before(node, mass, momentum, sums[(n + 1) * stages.summed - 1], v);
+    }
     if (near.count > 0 || (walls && fast(v))) v = walled(near, n, t, dt, mass, friction, v, impulses);
     out[0] = D == 2 ? beside(v, stages.incremental ? old : v) : v;
     if (stages.told == 2) out[1] = old;

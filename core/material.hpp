@@ -119,7 +119,7 @@ class MaterialOf final : public Material<Kinematics::dimension> {
         int const own = c + k;
         Strain const eps{get(after.entries, k)};
         State const state{get(records.values, k)};
-        if (work != nullptr) account(batch, own, dt_gradient[own], Strain{get(trial.entries, k)}, eps, sum);
+        if (work != nullptr) account(batch, own, dt_gradient[own], {get(trial.entries, k)}, {eps.entries}, sum);
         write(batch, own, eps, state);
         if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
         check(batch, own, dt_gradient[own], eps, state, motion);

@@ -1,6 +1,7 @@
 #pragma once
 /// A wall: the solid that the material must not enter.
 
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +17,9 @@ struct Surface {
   double distance;  ///< [m], positive outside the wall, where the material is
   Point<D> normal;  ///< gradient of the distance: length 1, out of the wall
 };
+
+/// Farther than any wall [m].
+inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
 /// A scene may have this many walls.
 inline constexpr std::size_t most_walls = 64;

@@ -46,7 +46,7 @@ io::Checkpoint at_step(std::int64_t step) {
 
 /// A file that claims to be whole: a true header before other contents.
 std::string with_header(std::string const& contents) {
-  auto header = "talus checkpoint, format 2\nHDF5 from byte 512 on\nbytes " + std::to_string(contents.size()) +
+  auto header = "talus checkpoint, format 3\nHDF5 from byte 512 on\nbytes " + std::to_string(contents.size()) +
                 "\nsha256 " + io::sha256(contents) + "\n";
   header.resize(512, '\n');
   return header + contents;
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_error_says_what_is_wrong_and_with_which_file) {
   refused(bytes.substr(0, 5000), "it is cut short: 5000 of " + std::to_string(bytes.size()) + " bytes are left");
   auto other = bytes;
   other[25] = '1';
-  refused(other, "it has format 1, this program reads format 2");
+  refused(other, "it has format 1, this program reads format 3");
   other = bytes;
   other[9000] = static_cast<char>(other[9000] ^ 1);
   refused(other, "it is damaged: its contents do not agree with its checksum");
