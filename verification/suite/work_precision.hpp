@@ -18,8 +18,12 @@ struct Problem {
   std::function<double(Scheme const&, int per_direction, int cells, Cost&)> solve;
 };
 
+/// Adds rows that tell the cheapest way to an error of 10, 1 and 0.1 % among the points of one problem. Only a grid from
+/// which on the scheme stays below that error counts.
+void tell_cheapest(Findings& findings, std::vector<WorkPoint> const& points);
+
 /// Solves `problem` by all of `schemes` with each number of particles in a cell along an axis on each grid, adds the
-/// points, and rows that tell the cheapest way to 10, 1 and 0.1 %. A short run is repeated, and the shortest time counts.
+/// points and what `tell_cheapest` tells of them. A short run is repeated, and the shortest time counts.
 /// What blows up is told as omitted, with the reason.
 void weigh(Findings& findings, Problem const& problem, std::vector<Scheme> const& schemes,
            std::vector<int> const& per_direction, std::vector<int> const& cells);

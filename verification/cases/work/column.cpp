@@ -8,14 +8,17 @@ namespace talus::verification {
 
 namespace {
 
+/// Settlement of the top [m].
+double const largest = column_on_foot.height - column_on_foot.place(column_on_foot.height);
+
 void run(Findings& findings) {
-  Problem const problem{"geostatic column", "place over the height",
+  Problem const problem{"geostatic column", "settlement over the largest",
                         [](Scheme const& scheme, int n, int N, Cost& cost) {
                           Measured const found = solved_column(scheme, N, n, false);
                           cost += found.cost;
-                          return found.errors[0];
+                          return found.errors[0] * column_on_foot.height / largest;
                         }};
-  weigh(findings, problem, all_schemes(), {2, 4, 8}, {10, 20, 40});
+  weigh(findings, problem, all_schemes(), {2, 4, 8}, {10, 20, 40, 80});
 }
 
 }  // namespace
