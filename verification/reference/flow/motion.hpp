@@ -23,7 +23,7 @@ namespace talus::reference::flow {
 ///
 ///   eps_t = |g_p| (|tau|/S) ((1 - beta) p_c - 2 p)/(2 S)                                                          (3)
 ///
-/// Left out: inertia and waves across the layer; tau to second order in |tau|/G. Stress starts with tau = 0, or as that
+/// Pre: mu_1 < mu_2. Left out: inertia and waves across the layer; tau to second order in |tau|/G. Stress starts with tau = 0, or as that
 /// of the initial shear rate; p_c starts as `strength_ratio` times that of critical state, which is above p.
 /// Source: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, for the model; the reduction derived.
 struct Motion {
