@@ -13,7 +13,8 @@ namespace {
 
 using namespace reference::flow;
 
-constexpr double h = 0.05, U = 4;
+constexpr double h = 0.05, U = 4, step = 0.0025;
+constexpr int cells = 200;
 std::vector<double> const times{0.1, 0.5, 1.0, 2.0, 2.5, 2.7, 2.75, 3.0};
 
 /// Largest |u - u of the closed form| over U, above the lowest cell.
@@ -33,16 +34,19 @@ void layer(Findings& findings, double angle) {
   std::string const name = fmt::format("friction of {} degrees", angle);
   findings.note(name, "acceleration [m/s^2]", layer.acceleration());
   if (layer.acceleration() < 0) findings.note(name, "comes to rest at [s]", layer.end());
-  auto const soft = rate_independent_steps(layer, beads.density, beads.elastic.G(), 50, 0.01, times);
-  auto const stiff = rate_independent_steps(layer, beads.density, 100 * beads.elastic.G(), 50, 0.01, times);
-  findings.check(name, "u from closed form over U, E = 1 MPa", distance(layer, soft), at_most(1e-5),
-                 "elastic shear of what comes to rest: a h/(U c_s) squared, and the step across which it does");
-  findings.check(name, "u from closed form over U, E = 100 MPa", distance(layer, stiff), at_most(1e-6), "as before");
+  auto const soft = rate_independent_steps(layer, beads.density, beads.elastic.G(), cells, step, times);
+  if (layer.acceleration() < 0) {
+    findings.check(name, "u from closed form over U, E = 1 MPa", distance(layer, soft), at_most(1e-5),
+                   "elastic shear of what comes to rest, whose speed is g(sin - mu cos) h/U over that of shear waves");
+    auto const stiff = rate_independent_steps(layer, beads.density, 100 * beads.elastic.G(), cells, step, times);
+    findings.check(name, "u from closed form over U, E = 100 MPa", distance(layer, stiff), at_most(1e-5), "as before");
+  } else
+    findings.check(name, "u from closed form over U", distance(layer, soft), at_most(1e-11), "all of it shears");
   Plot plot{"Without rate dependence: " + name, "u [m/s]", "y [m]", false, false, {}};
   for (std::size_t t = 0; t < times.size(); t += 2) {
     auto const exact = [&](double y) { return layer.speed(y, times[t]); };
     plot.curves.push_back(profile(fmt::format("closed form, t = {} s", times[t]), exact, places(1e-6, h, 101), true));
-    plot.curves.push_back({fmt::format("KINSOL, t = {} s", times[t]), soft[t], places(0, h, 51), false});
+    plot.curves.push_back({fmt::format("KINSOL, t = {} s", times[t]), soft[t], places(0, h, cells + 1), false});
   }
   findings.plots.push_back(plot);
 }
@@ -59,8 +63,8 @@ Case const flow_oracles_rate_independent{
     "A layer without rate dependence stops or speeds up",
     "closed form; elastic, perfectly plastic layer by KINSOL",
     "problem: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 31; closed form derived",
-    1,
-    30,
+    0,
+    10,
     run};
 
 }  // namespace talus::verification

@@ -154,7 +154,7 @@ std::vector<std::vector<double>> ida_banded(Band const& band, Residual const& re
   });
 }
 
-std::vector<double> kinsol_banded(Band const& band, Equations const& equations, Start const& start) {
+std::vector<double> kinsol_banded(Band const& band, Equations const& equations, Start const& start, NewtonSteps steps) {
   BandKit const kit(band);
   std::string said;
   auto const y = kit.vector(start.y), ones = kit.constant(1);
@@ -173,7 +173,8 @@ std::vector<double> kinsol_banded(Band const& band, Equations const& equations, 
   check(KINSetMaxSetupCalls(m, 1), "KINSetMaxSetupCalls");  // a new matrix in each iteration
   check(KINSetNumMaxIters(m, 1000), "KINSetNumMaxIters");
   check(KINSetMaxNewtonStep(m, 1e10), "KINSetMaxNewtonStep");
-  check(KINSol(m, y.get(), KIN_LINESEARCH, scale.get(), ones.get()), "KINSol");
+  int const strategy = steps == NewtonSteps::searched ? KIN_LINESEARCH : KIN_NONE;
+  check(KINSol(m, y.get(), strategy, scale.get(), ones.get()), "KINSol");
   return kit.values(y.get());
 }
 

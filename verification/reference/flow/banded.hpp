@@ -35,7 +35,10 @@ struct Start {
                                                           std::vector<bool> const& differential,
                                                           std::vector<double> const& times);
 
-/// A root near y, where all F are smaller than the tolerance: Newton with line search. F is to be scaled to 1.
-[[nodiscard]] std::vector<double> kinsol_banded(Band const&, Equations const&, Start const&);
+/// Whether Newton's steps are shortened until |F| falls enough, or taken as they are, as piecewise linear F ask for.
+enum class NewtonSteps { searched, full };
+
+/// A root near y, where all F are smaller than the tolerance. F is to be scaled to 1.
+[[nodiscard]] std::vector<double> kinsol_banded(Band const&, Equations const&, Start const&, NewtonSteps);
 
 }  // namespace talus::reference::flow

@@ -159,7 +159,7 @@ std::array<double, ByShear::sums> kinsol_sums(CompressibleLayer const& layer, do
   };
   Start start{{}, std::vector<double>(3 * n, 1.0), 1e-14};
   for (int k = 0; k < n; ++k) start.y.insert(start.y.end(), {1, T, 0});
-  auto const y = kinsol_banded({3 * n, 2, 2}, equations, start);
+  auto const y = kinsol_banded({3 * n, 2, 2}, equations, start, NewtonSteps::searched);
   std::array<double, ByShear::sums> sums{};
   for (std::size_t k = 0; k < n; ++k) {
     double const N = depth(k) * whole, p = y[3 * k] * N, q = y[3 * k + 1] * N;

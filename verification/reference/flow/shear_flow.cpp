@@ -42,7 +42,7 @@ double speed_by_kinsol(ShearFlow const& flow, double x) {
     return true;
   };
   auto const start = std::vector<double>(n, 0.0), sizes = std::vector<double>(n, 1.0);
-  auto const y = kinsol_banded({n, 0, 0}, equations, {start, sizes, 1e-14});
+  auto const y = kinsol_banded({n, 0, 0}, equations, {start, sizes, 1e-14}, NewtonSteps::searched);
   double sum = 0;
   for (std::size_t k = 0; k < n; ++k) sum += rule.w[k] * y[k] * 6 * rule.x[k] * (1 - rule.x[k]);
   return std::abs(way) * largest * sum;
