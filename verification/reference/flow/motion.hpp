@@ -57,6 +57,15 @@ struct Snapshot {
 [[nodiscard]] std::vector<Snapshot> motion_by_ida(Motion const&, int n, std::vector<double> const& times,
                                                   double tolerance);
 
+/// The limit G -> infinity, without (2) and with nothing of the code above: tau = q(u_Y, p, p_c), fluid.hpp, (1), in
+///
+///   u_t = g sin(slope) + tau_Y/rho_0.                                                                              (5)
+///
+/// tau, p, p_c, stretch are left out. Pre: incompressible, u > 0 at the surface, and u_Y > 0 throughout: there is no plug,
+/// where (5) leaves tau open.
+[[nodiscard]] std::vector<Snapshot> rigid_motion(Motion const&, int n, std::vector<double> const& times,
+                                                 double tolerance);
+
 /// By n, 2 n and 4 n cells: u and y at the nodes of n, extrapolated from the two finer ones at second order; and how far,
 /// at most over all nodes and times, u lies from that of 4 n, and what u of 2 n so extrapolated lies from it [m/s].
 struct ExtrapolatedMotion {
