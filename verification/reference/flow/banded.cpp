@@ -17,6 +17,7 @@ namespace talus::reference::flow {
 namespace {
 
 constexpr long most_steps = 10'000'000;
+constexpr int most_restarts = 1000;  // where rates have a kink that no step passes, the history of steps is forgotten
 
 struct FreeCvode {
   void operator()(void* memory) const { CVodeFree(&memory); }
@@ -121,9 +122,13 @@ std::vector<std::vector<double>> cvode_banded(Band const& band, Rates const& rat
   check(CVodeSetLinearSolver(m, kit.solver(), kit.matrix()), "CVodeSetLinearSolver");
   check(CVodeSetMaxNumSteps(m, most_steps), "CVodeSetMaxNumSteps");
   check(CVodeSetStopTime(m, times.back()), "CVodeSetStopTime");
+  int restarts = 0;
   return states(times, start.y, [&](double until) {
-    double t = 0;
-    check(CVode(m, until, y.get(), &t, CV_NORMAL), "CVode");
+    for (double t = 0; t < until;) {
+      int const flag = CVode(m, until, y.get(), &t, CV_NORMAL);
+      bool const kink = (flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE) && ++restarts <= most_restarts;
+      check(kink ? CVodeReInit(m, t, y.get()) : flag, "CVode");
+    }
     return kit.values(y.get());
   });
 }
