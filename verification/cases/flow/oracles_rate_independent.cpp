@@ -1,5 +1,5 @@
-/// A layer without rate dependence on a slope, which stops or speeds up: closed form against the elastic, perfectly plastic
-/// layer in implicit steps by KINSOL.
+/// A layer without rate dependence on a slope, which stops or speeds up: closed form against the elastic, perfectly
+/// plastic layer in implicit steps by KINSOL.
 
 #include <fmt/format.h>
 

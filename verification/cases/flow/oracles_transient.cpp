@@ -1,5 +1,5 @@
-/// Layers that start or slow down on a slope: CVODE against IDA, which has the plastic shear rate as an unknown of its own,
-/// grids against each other, and both against the steady solutions where they end.
+/// Layers that start or slow down on a slope: CVODE against IDA, which has the plastic shear rate as an unknown of its
+/// own, grids against each other, and both against the steady solutions where they end.
 
 #include <fmt/format.h>
 
@@ -80,7 +80,8 @@ void incompressible(Findings& findings) {
         apart(between, exact, places(0, layer.h, 173)), 1e-6);
 }
 
-/// What the layer takes of the law, against the rate equations of material points, at strengths around the critical one.
+/// What the layer takes of the law, against the rate equations of material points, at strengths around the critical
+/// one.
 void law(Findings& findings) {
   double flow = 0, volume = 0;
   for (double const beta : {0.0, 0.1}) {

@@ -7,8 +7,8 @@
 
 namespace talus::reference::flow {
 
-/// A layer of thickness h_0 [m] and density rho_0 where unstrained, at critical state on a slope [rad]. Y [m]: height in
-/// the unstrained layer; y [m]: height. The layer moves along the slope and in height only, so that J = dy/dY, and
+/// A layer of thickness h_0 [m] and density rho_0 where unstrained, at critical state on a slope [rad]. Y [m]: height
+/// in the unstrained layer; y [m]: height. The layer moves along the slope and in height only, so that J = dy/dY, and
 /// Kirchhoff stress is J times Cauchy stress. Equilibrium holds for Cauchy stress:
 ///
 ///   -sigma_yy = N,   sigma_xy = N tan(slope),   N = rho_0 g cos(slope) (h_0 - Y)                                   (1)
@@ -61,7 +61,8 @@ struct CompressibleProfile {
 [[nodiscard]] CompressibleProfile small_shear_profile(CompressibleLayer const&, std::vector<double> const& Y);
 /// (6), (7), integrated over s by GSL.
 [[nodiscard]] CompressibleProfile profile_by_quadrature(CompressibleLayer const&, std::vector<double> const& Y);
-/// (6) with (2) as equations in p and q at the points of a Gauss rule in Y by KINSOL, and their sums; the law as q(gamma).
+/// (6) with (2) as equations in p, q and gamma at the points of a Gauss rule in Y by KINSOL, and their sums; the law as
+/// q(gamma).
 [[nodiscard]] CompressibleProfile profile_by_kinsol(CompressibleLayer const&, std::vector<double> const& Y);
 /// (6), (7), as differential equations in s by CVODE.
 [[nodiscard]] CompressibleProfile profile_by_cvode(CompressibleLayer const&, std::vector<double> const& Y);

@@ -1,6 +1,6 @@
 #pragma once
-/// Steady flows between walls, incompressible and at critical state: sheared by a plate, down a chute, between cylinders,
-/// down a channel. p, q: fluid.hpp; Q sqrt(omega p) is the rate by which shear rates are measured.
+/// Steady flows between walls, incompressible and at critical state: sheared by a plate, down a chute, between
+/// cylinders, down a channel. p, q: fluid.hpp; Q sqrt(omega p) is the rate by which shear rates are measured.
 
 #include "verification/reference/flow/fluid.hpp"
 #include "verification/reference/flow/shear_flow.hpp"
@@ -20,8 +20,10 @@ struct PlaneShear {
 /// T > omega mu_1 p. With z = sqrt(omega p), from z_0 at the plate to z_1 = sqrt(T/mu_1),
 ///
 ///   u_plate = Q/(omega rho g) [F]_{z_0}^{z_1},
-///   F = -(2 mu_1/(3 mu_2)) z^3 + (2 T (mu_2 - mu_1)/mu_2^2) (z + sqrt(T/mu_2)/2 ln((z - sqrt(T/mu_2))/(z + ...)))  (1)
+///   F = -(2 mu_1/(3 mu_2)) z^3 + (2 T (mu_2 - mu_1)/mu_2^2) (z + (z_2/2) ln((z - z_2)/(z + z_2))),
+///   z_2 = sqrt(T/mu_2)                                                                                           (1)
 ///
+/// The closer T comes to omega mu_2 load, the less of the flow is in reach of a Gauss rule: KINSOL's way is for less.
 /// Derived.
 struct PlateOnBed {
   Fluid fluid;
@@ -71,7 +73,8 @@ struct AnnularCouette {
 ///
 /// so that it flows to z_f = width (tan(slope) - omega mu_1)/mu_w; z_c = width (omega mu_2 - tan(slope))/mu_w > 0:
 ///
-///   u = 2 Q sqrt(omega rho g cos(slope)) [(z_f + z_c)(w - sqrt(z_c) atan(w/sqrt(z_c))) - w^3/3], w = sqrt(z)..sqrt(z_f) (5)
+///   u = 2 Q sqrt(omega rho g cos(slope)) [F] from w = sqrt(z) to sqrt(z_f),
+///   F = (z_f + z_c)(w - sqrt(z_c) atan(w/sqrt(z_c))) - w^3/3                                                     (5)
 ///
 /// Source: Taberlet et al. (2003), doi:10.1103/PhysRevLett.91.264301; Jop, Forterre & Pouliquen (2005),
 /// doi:10.1017/S0022112005005987, for (4); (5) derived.

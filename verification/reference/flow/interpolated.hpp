@@ -7,8 +7,8 @@
 
 namespace talus::reference::flow {
 
-/// u [m/s] at a height y [m] from values at rising heights, the last of which is the surface: the cubic through the four
-/// nearest places in s = (1 - y/h)^(1/2), in which the speed of a layer is smooth. Exact for Bagnold's profile.
+/// u [m/s] at a height y [m] from values at rising heights, the last of which is the surface: the cubic through the
+/// four nearest places in s = (1 - y/h)^(1/2), in which the speed of a layer is smooth. Exact for Bagnold's profile.
 /// Pre: at least four places.
 [[nodiscard]] inline double interpolated(std::vector<double> const& heights, std::vector<double> const& u, double y) {
   double const h = heights.back();

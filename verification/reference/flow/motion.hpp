@@ -23,8 +23,10 @@ namespace talus::reference::flow {
 ///
 ///   eps_t = |g_p| (|tau|/S) ((1 - beta) p_c - 2 p)/(2 S)                                                          (3)
 ///
-/// Pre: mu_1 < mu_2. Left out: inertia and waves across the layer; tau to second order in |tau|/G. Stress starts with tau = 0, or as that
-/// of the initial shear rate; p_c starts as `strength_ratio` times that of critical state, which is above p.
+/// (3) is associated flow of the consistent law; the published two-stage map ends at the same state.
+/// Pre: mu_1 < mu_2. Left out: inertia and waves across the layer; tau and p to second order in |tau|/G. Stress starts
+/// with tau = 0, or as that of the initial shear rate; p_c starts as `strength_ratio` times that of critical state, which
+/// is to be above p.
 /// Source: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, for the model; the reduction derived.
 struct Motion {
   enum class Volume { incompressible, critical, hardening };
@@ -37,8 +39,8 @@ struct Motion {
   double strength_ratio = 1;
 };
 
-/// At a time t [s]: u at the nodes Y = h_0 (1 - (1 - k/n)^2), k = 0 ... n, with their heights y; the rest half way between
-/// nodes k and k + 1.
+/// At a time t [s]: u at the nodes Y = h_0 (1 - (1 - k/n)^2), k = 0 ... n, with their heights y; the rest half way
+/// between nodes k and k + 1, in k.
 struct Snapshot {
   double t;
   std::vector<double> Y, y, u;
@@ -61,13 +63,13 @@ struct Snapshot {
 ///
 ///   u_t = g sin(slope) + tau_Y/rho_0.                                                                              (5)
 ///
-/// tau, p, p_c, stretch are left out. Pre: incompressible, u > 0 at the surface, and u_Y > 0 throughout: there is no plug,
-/// where (5) leaves tau open.
+/// tau, p, p_c, stretch are left out. Pre: incompressible, u > 0 at the surface, and u_Y > 0 throughout: there is no
+/// plug, where (5) leaves tau open.
 [[nodiscard]] std::vector<Snapshot> rigid_motion(Motion const&, int n, std::vector<double> const& times,
                                                  double tolerance);
 
-/// By n, 2 n and 4 n cells: u and y at the nodes of n, extrapolated from the two finer ones at second order; and how far,
-/// at most over all nodes and times, u lies from that of 4 n, and what u of 2 n so extrapolated lies from it [m/s].
+/// By n, 2 n and 4 n cells: u and y at the nodes of n, extrapolated from the two finer ones at second order; and how
+/// far, at most over all nodes and times, u lies from that of 4 n, and what u of 2 n so extrapolated lies from it [m/s].
 struct ExtrapolatedMotion {
   std::vector<Snapshot> at;  ///< of n cells; tau, p, p_c, stretch are left out
   double correction, error;

@@ -34,13 +34,13 @@ struct RateIndependentLayer {
   [[nodiscard]] double end() const { return -U / acceleration(); }  ///< [s]; where a < 0
 };
 
-/// u [m/s] of the elastic, perfectly plastic layer at Y = k h/n, k = 0 ... n, at those times [s]: implicit Euler steps dt,
-/// each a system in tau by KINSOL,
+/// u [m/s] of the elastic, perfectly plastic layer at Y = k h/n, k = 0 ... n, at those times [s]: implicit Euler steps
+/// dt, each a system in tau by KINSOL,
 ///
 ///   u = u_0 + dt (g sin(slope) + tau_Y/rho),   tau = tau_0 + G dt u_Y, cut off at +-mu p                           (3)
 ///
-/// written as  tau = (tau - c (tau - tau_0 - G dt u_Y)) cut off,  c > 0, for which Newton's steps are those of an active
-/// set. From tau = mu p. Steps do not harm (1) and (2), which are linear in t. Pre: times are multiples of dt.
+/// written as  tau = (tau - c (tau - tau_0 - G dt u_Y)) cut off,  c > 0, for which Newton's steps are those of an
+/// active set. From tau = mu p. Steps do not harm (1) and (2), which are linear in t. Pre: times are multiples of dt.
 [[nodiscard]] std::vector<std::vector<double>> rate_independent_steps(RateIndependentLayer const&, double density,
                                                                       double G, int n, double dt,
                                                                       std::vector<double> const& times);
