@@ -25,8 +25,8 @@ namespace talus::reference::flow {
 ///
 /// (3) is associated flow of the consistent law; the published two-stage map ends at the same state.
 /// Pre: mu_1 < mu_2. Left out: inertia and waves across the layer; tau and p to second order in |tau|/G. Stress starts
-/// with tau = 0, or as that of the initial shear rate; p_c starts as `strength_ratio` times that of critical state, which
-/// is to be above p.
+/// with tau = 0, or as that of the initial shear rate; p_c starts as `strength_ratio` times that of critical state,
+/// which is to be above p.
 /// Source: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, for the model; the reduction derived.
 struct Motion {
   enum class Volume { incompressible, critical, hardening };
@@ -69,7 +69,7 @@ struct Snapshot {
                                                  double tolerance);
 
 /// By n, 2 n and 4 n cells: u and y at the nodes of n, extrapolated from the two finer ones at second order; and how
-/// far, at most over all nodes and times, u lies from that of 4 n, and what u of 2 n so extrapolated lies from it [m/s].
+/// far, at most over all nodes and times, u lies from that of 4 n, and from u that is extrapolated from n and 2 n [m/s].
 struct ExtrapolatedMotion {
   std::vector<Snapshot> at;  ///< of n cells; tau, p, p_c, stretch are left out
   double correction, error;
