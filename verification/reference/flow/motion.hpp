@@ -69,7 +69,7 @@ struct Snapshot {
                                                  double tolerance);
 
 /// By n, 2 n and 4 n cells: u and y at the nodes of n, extrapolated from the two finer ones at second order; and how
-/// far, at most over all nodes and times, u lies from that of 4 n, and from u that is extrapolated from n and 2 n [m/s].
+/// far, at most over all nodes and times, u lies from that of 4 n, and from u extrapolated from n and 2 n [m/s].
 struct ExtrapolatedMotion {
   std::vector<Snapshot> at;  ///< of n cells; tau, p, p_c, stretch are left out
   double correction, error;
