@@ -74,6 +74,8 @@ void incompressible(Findings& findings) {
   for (std::size_t k = 1; k < late.u.size(); ++k)
     most = std::max(most, std::abs(late.u[k] - bagnold_speed(layer, late.Y[k])) / bagnold_surface_speed(layer));
   agree(findings, "slowing down at 28 degrees", "u at 40 s from the steady solution", most, 1e-6);
+  agree(findings, "slowing down at 28 degrees", "mean u at 40 s from the steady solution",
+        apart(late.mean_speed(), 0.6 * bagnold_surface_speed(layer)), 1e-6);
   auto const between = [&](double y) { return interpolated(late.y, late.u, y); };
   auto const exact = [&](double y) { return bagnold_speed(layer, y); };
   agree(findings, "slowing down at 28 degrees", "u at 40 s between the nodes from the steady solution",

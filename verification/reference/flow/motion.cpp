@@ -5,9 +5,13 @@
 namespace talus::reference::flow {
 
 double Snapshot::mean_speed() const {
-  double sum = 0;
-  for (std::size_t k = 1; k < u.size(); ++k) sum += 0.5 * (u[k] + u[k - 1]) * (Y[k] - Y[k - 1]);
-  return sum / Y.back();
+  std::size_t const n = u.size() - 1;
+  double sum = 0;  // of 2 s u over s = 1 - k/n
+  for (std::size_t k = 0; k < n; ++k) {
+    double const weight = k == 0 ? 1 : (k % 2 == 1 ? 4 : 2);
+    sum += weight * 2 * (1 - static_cast<double>(k) / static_cast<double>(n)) * u[k];
+  }
+  return sum / (3 * static_cast<double>(n));
 }
 
 std::vector<Snapshot> motion_by_cvode(Motion const& motion, int n, std::vector<double> const& times, double tolerance) {

@@ -47,7 +47,7 @@ struct Snapshot {
   std::vector<double> tau, p, p_c, stretch;
 
   [[nodiscard]] double surface_speed() const { return u.back(); }
-  [[nodiscard]] double mean_speed() const;  ///< over mass: trapezoidal rule
+  [[nodiscard]] double mean_speed() const;  ///< over mass: Simpson's rule, n even
 };
 
 /// n cells, second order in 1/n; relative tolerance in time. CVODE: (1) to (3) as rates. IDA: with g_p as an unknown of
