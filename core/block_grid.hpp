@@ -72,6 +72,10 @@ class BlockGrid {
   [[nodiscard]] std::vector<std::uint64_t> const& particle_keys() const { return particle_keys_; }
   [[nodiscard]] BlockIndex<D> particle_block(std::size_t b) const { return place_of<D>(particle_keys_[b]); }
   [[nodiscard]] BlockIndex<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
+  /// Number of the node block at a place, or -1 where there is none.
+  [[nodiscard]] std::ptrdiff_t find_node_block(BlockIndex<D> const& place) const {
+    return find(node_keys_, key_of<D>(wrap(place)));
+  }
   /// Node blocks around particle block b, by neighbour number.
   [[nodiscard]] Neighbours const& nodes_around(std::size_t b) const { return nodes_around_[b]; }
   /// Particle blocks of colour c, the first axis slowest. Some colours may have none.

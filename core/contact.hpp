@@ -14,6 +14,7 @@ struct ContactRule {
   bool sticks = false;             ///< the node takes the wall's velocity; nothing else counts
   bool separates = true;           ///< the wall pushes and never pulls
   bool material_friction = false;  ///< the coefficient of friction is the material's at the node, not `friction`
+  bool mirrors = false;            ///< what lies behind is the image of what lies before: core/mirror.hpp
   double friction = 0;             ///< coefficient of friction [1]
 
   /// Whether the wall pulls as well as it pushes.

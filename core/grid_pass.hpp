@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/mirror.hpp"
 #include "core/parallel.hpp"
 #include "core/scene.hpp"
 
@@ -24,7 +25,8 @@ class GridPass {
  public:
   static constexpr int nodes_per_block = talus::nodes_per_block<D>;
 
-  explicit GridPass(Scene<D> const& scene) : scene_(scene) {}
+  /// Throws InputError where a wall cannot mirror.
+  explicit GridPass(Scene<D> const& scene) : scene_(scene), mirrors_(scene.walls, scene.spacing) {}
 
   /// Sizes the storage for the blocks that exist. particle_mass: the largest mass of a particle [kg].
   void resize(BlockGrid<D> const& grid, double particle_mass) {
@@ -35,6 +37,8 @@ class GridPass {
     body_.assign(scene_.body_force ? nodes : 0, NodeVector(0.0));
     momenta_.assign(scene_.keeps_ledger ? nodes : 0, NodeVector(0.0));
     before_.resize(scene_.keeps_ledger ? nodes : 0);
+    mirrors_.find(grid);
+    mirrored_.assign(mirrors_.images().empty() ? 0 : nodes, 0);
     mass_floor_ = scene_.stages->mass_floor * particle_mass;
   }
 
@@ -64,20 +68,28 @@ class GridPass {
 
   /// Moves the nodes from t to t + dt; adds the impulse of each wall to `impulses`. What was added is used up.
   void move(BlockGrid<D> const& grid, double t, double dt, Impulses<D>& impulses) {
+    if (!mirrors_.images().empty()) fold(t, dt);
     for_each_index(static_cast<std::ptrdiff_t>(grid.node_blocks()), [&](std::ptrdiff_t b) {
       auto const block = static_cast<std::size_t>(b);
       move_block(grid, block, t, dt, sums_.data() + block * sums_size());
     });
+    if (!mirrors_.images().empty()) {
+      unfold(t + dt);
+      account_for_mirrors();
+    }
     std::size_t const walls = impulses.size();
     for (std::size_t k = 0; k < impulses_.size(); ++k) impulses[k % walls] += impulses_[k];
   }
 
   /// MUSL: makes the momentum of the moved particles each node's second velocity, walls applied again.
   void remap(BlockGrid<D> const& grid, double t, double dt) {
+    for (Image<D> const& image : mirrors_.images())
+      fold_vector(image, mirrors_.shift(image, t + dt), remapped(image.real), remapped(image.node));
     for_each_index(static_cast<std::ptrdiff_t>(grid.node_blocks()), [&](std::ptrdiff_t b) {
       auto const block = static_cast<std::size_t>(b);
       remap_block(grid, block, t, dt, sums_.data() + block * sums_size());
     });
+    unfold(t + dt);
   }
 
   /// Copies the nodes that particle block b reaches into `arena`.
@@ -156,7 +168,29 @@ class GridPass {
   NodeVector walled(Near const& near, int n, double t, double dt, double mass, double friction, NodeVector velocity,
                     Point<D>* impulses) const;
 
+  /// What a node got of the particles before the mirrors folded it.
+  struct Sent {
+    double mass = 0;
+    Point<D> momentum = Point<D>::Zero();  ///< with the step's impulses, but for the share that particles keep [kg m/s]
+  };
+  void fold(double t, double dt);
+  [[nodiscard]] Sent sent(std::size_t node, double dt);
+  static void fold_vector(Image<D> const& image, Point<D> const& shift, NodeVector& real, NodeVector& image_sum);
+  void unfold(double t);
+  void account_for_mirrors();
+  [[nodiscard]] NodeVector* sums_of(std::size_t node) {
+    return sums_.data() + node * static_cast<std::size_t>(scene_.stages->summed);
+  }
+  [[nodiscard]] NodeVector& remapped(std::size_t node) {
+    return sums_[node / nodes_per_block * sums_size() + node % nodes_per_block];
+  }
+
   Scene<D> const& scene_;
+  Mirrors<D> mirrors_;
+  std::vector<char> mirrored_;  ///< by node: whether a mirror folded it
+  std::vector<Sent> sent_;      ///< of each image
+  std::vector<Sent> sent_to_real_,
+      free_;                         ///< of each image's node, at its first image; free_: after folding, g applied
   std::vector<NodeVector> sums_;     ///< of momentum and mass, and what else a node sums; zero between steps
   std::vector<NodeVector> nodes_;    ///< velocities
   std::vector<NodeVector> body_;     ///< impulses of the body force, where there is one
@@ -165,58 +199,6 @@ class GridPass {
   std::vector<Point<D>> impulses_;   ///< of each node block and wall
   double mass_floor_ = 0;
 };
-
-/// A wall is near where a node that moves no further than one spacing may touch it.
-template <int D>
-typename GridPass<D>::Near GridPass<D>::near(BlockGrid<D> const& grid, std::size_t b, double t) const {
-  Near near;
-  near.corner = corner_of(grid, b);
-  Point<D> const centre = near.corner + Point<D>::Constant(0.5 * (block_edge - 1) * scene_.spacing);
-  double const reach = scene_.spacing * (1 + 0.5 * (block_edge - 1) * std::sqrt(double(D)));
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    if (scene_.walls[w]->distance(centre, t) <= reach) near.walls[near.count++] = static_cast<int>(w);
-  return near;
-}
-
-/// The velocity that the walls leave node n of a block that would move with `velocity`.
-template <int D>
-NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, double mass, double friction,
-                               NodeVector velocity, Point<D>* impulses) const {
-  std::array<Touch<D>, most_touches> touches;
-  std::array<Point<D>, most_touches> changes;
-  std::array<Surface<D>, Wall<D>::max_surfaces> surfaces;
-  std::size_t count = 0;
-  Point<D> v;
-  for (int d = 0; d < D; ++d) v[d] = velocity[d];
-  Point<D> const x = node_from(near.corner, n) + dt * v;
-  // a node of next to no mass may be thrown beyond the walls that are near
-  bool const far = !(dt * v.norm() <= scene_.spacing);
-  std::size_t const candidates = far ? scene_.walls.size() : near.count;
-  for (std::size_t k = 0; k < candidates; ++k) {
-    int const w = far ? static_cast<int>(k) : near.walls[k];
-    Wall<D> const& wall = *scene_.walls[static_cast<std::size_t>(w)];
-    double nearest = far_away;
-    auto const touch = [&](Point<D> const& place, double when) {
-      int const faces = wall.surfaces(place, when, surfaces);
-      for (int s = 0; s < faces && count < most_touches; ++s) {
-        Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)];
-        nearest = std::min(nearest, surface.distance);
-        if (surface.distance <= 0)
-          touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
-                              wall.contact.material_friction ? friction : wall.contact.friction, w};
-      }
-    };
-    touch(x, t + dt);
-    // what pulls as well does not let a node go that it has
-    if (nearest > 0 && wall.contact.holds() && nearest <= dt * (v - wall.velocity(t + dt)).norm())
-      touch(node_from(near.corner, n), t);
-  }
-  if (count == 0) return velocity;
-  v = resolve<D>(std::span(touches.data(), count), v, std::span(changes.data(), count));
-  for (std::size_t k = 0; k < count; ++k) impulses[touches[k].wall] += mass * changes[k];
-  for (int d = 0; d < D; ++d) velocity.set(d, v[d]);
-  return velocity;
-}
 
 template <int D>
 void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, double dt, NodeVector* sums) {
@@ -233,13 +215,17 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     return !(square <= limit * limit);
   };
 
+  auto const folded = [&](int n) {
+    return !mirrored_.empty() && mirrored_[b * nodes_per_block + static_cast<std::size_t>(n)] != 0;
+  };
+
   for (int n = 0; n < nodes_per_block; ++n) {
     NodeVector const momentum = sums[n * stages.summed];
     double const mass = momentum[D];
     NodeVector* out = nodes_.data() + b * node_size() + n * stages.told;
     if (!(mass > 0)) {
       std::fill_n(out, stages.told, NodeVector(0.0));
-      if (scene_.keeps_ledger) before_[b * nodes_per_block + static_cast<std::size_t>(n)] = {};
+      if (scene_.keeps_ledger && !folded(n)) before_[b * nodes_per_block + static_cast<std::size_t>(n)] = {};
       continue;
     }
     NodeVector const old = momentum / NodeVector(mass);
@@ -255,7 +241,8 @@ void GridPass<D>::move_block(BlockGrid<D> const& grid, std::size_t b, double t, 
     if (extras) [[unlikely]] {
       std::size_t const node = b * nodes_per_block + static_cast<std::size_t>(n);
       if (scene_.body_force) v += body_[node] / NodeVector(std::max(mass, mass_floor_));
-      if (scene_.keeps_ledger) before_[node] = before(node, mass, momentum, sums[(n + 1) * stages.summed - 1], v);
+      if (scene_.keeps_ledger && !folded(n))
+        before_[node] = before(node, mass, momentum, sums[(n + 1) * stages.summed - 1], v);
     }
     if (near.count > 0 || (walls && fast(v))) v = walled(near, n, t, dt, mass, friction, v, impulses);
     out[0] = D == 2 ? beside(v, stages.incremental ? old : v) : v;
@@ -285,3 +272,5 @@ void GridPass<D>::remap_block(BlockGrid<D> const& grid, std::size_t b, double t,
 }  // namespace talus
 
 #include "core/grid_account.hpp"
+#include "core/grid_mirror.hpp"
+#include "core/grid_walls.hpp"

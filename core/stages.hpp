@@ -23,6 +23,7 @@ class Stages {
   double sharpness = 0;      ///< q of the isolated-particle bound on the time step
   double mass_floor = 0;     ///< least mass, in masses of a particle, that an internal force accelerates
   double inertia = 0;        ///< D_p / h^2 where the transfer is affine
+  double kept = 0;           ///< alpha, the share of its velocity that a particle keeps and increments
 
   Stages() = default;
   Stages(Stages const&) = delete;
@@ -66,6 +67,7 @@ class StagesOf final : public Stages<dimension> {
     this->sharpness = K::sharpness - (T::affine ? 0.5 / K::inertia : 0);
     this->mass_floor = K::mass_floor;
     this->inertia = T::affine ? K::inertia : 0;
+    this->kept = transfer_.alpha;
   }
 
   void declare(Layout& layout) const override { layout.unite(typename T::State{}); }

@@ -118,6 +118,28 @@ void block_that_leaves(Findings& findings, Block block, std::string const& subje
                  differing(block.wall<wall::Slip>(), slip), at_least(1), "it holds what it touches", slip);
 }
 
+/// The lowest nodes that the block sends mass to lie 0.04 h before the wall: they are stopped in the step in which they
+/// would end behind it, and not where they end before it.
+void block_that_comes(Findings& findings) {
+  auto const impulse = [](double way, Cost& cost) {
+    Block const block{.v = Point<2>(0, -way * h / 1e-3)};
+    wall::HalfSpace::Parameters plane;
+    plane.point = {0, -1.04 * h};
+    plane.normal = {0, 1};
+    auto const wall_at = [&] {
+      return make_wall<2, wall::HalfSpace, wall::Separating, wall::Fixed>("plane", plane, {}, {});
+    };
+    auto const simulation = block.begin_at(wall_at());
+    take_steps(*simulation, 1, cost);
+    return simulation->momentum().walls[0][1] / (block.mass() * block.v.norm());
+  };
+  Cost before, behind;
+  findings.check("a node that ends 0.01 h before the wall", "impulse over the momentum", impulse(0.03, before),
+                 at_most(0), "it does not touch", before);
+  findings.check("a node that would end 0.01 h behind the wall", "impulse over the momentum", impulse(0.05, behind),
+                 at_least(1e-4), "walls are looked for where a node goes", behind);
+}
+
 /// Random touches and velocities.
 template <int D>
 struct Chance {
@@ -217,6 +239,7 @@ void run(Findings& findings) {
       block_that_hits(findings, block, subject);
       block_that_leaves(findings, block, subject);
     }
+  block_that_comes(findings);
   for (int const walls : {1, 2, 3}) {
     node_law<2>(findings, walls);
     node_law<3>(findings, walls);
