@@ -162,8 +162,8 @@ constexpr std::array bin_measures{
 
 /// The samples' columns of which a profile has the means: those that are not told in another way, or not at all.
 std::vector<std::size_t> averaged(Snapshot const& samples) {
-  constexpr std::array apart{sample::mass,           sample::height,       sample::flow_velocity,
-                             sample::initial_volume, sample::solid_volume, sample::volume_ratio};
+  constexpr std::array apart{sample::mass, sample::height, sample::initial_volume, sample::solid_volume,
+                             sample::volume_ratio};
   std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < samples.columns.size(); ++k)
     if (std::find(apart.begin(), apart.end(), samples.columns[k].name) == apart.end()) columns.push_back(k);

@@ -31,7 +31,8 @@ bool is_ours(std::string const& name) {
   static std::regex const ours(
       R"(((case|resolved|provenance|summary)\.json|series\.csv|log\.txt|report\.html|frames\.pvd)"
       R"(|frames/f_\d{6,}\.vtu|checkpoints/ck_\d{12,}\.h5|profiles/\w+\.csv)"
-      R"(|plots/(particles(_side|_last)?|motion)\.(png|svg)|plots/pictures\.(gp|log)|plots/(side|oblique)_\d{6,}\.dat)(\.tmp)?)");
+      R"(|plots/(particles(_side|_last)?|motion|profile_\w+)\.(png|svg))"
+      R"(|plots/pictures\.(gp|log)|plots/(side|oblique)_\d{6,}\.dat)(\.tmp)?)");
   return std::regex_match(name, ours);
 }
 
