@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "core/cli/profile_files.hpp"
+#include "core/cli/schedule.hpp"
 #include "core/io/hash.hpp"
 #include "core/io/machine.hpp"
 #include "core/io/pictures.hpp"
@@ -23,14 +24,6 @@ volatile std::sig_atomic_t stop_signal = 0;
 extern "C" void note_signal(int number) {
   stop_signal = number;
 }
-
-/// Output times 0, every, 2 every, ...: something is due at the first step at or after each.
-struct Schedule {
-  double every;
-  std::int64_t done = 0;  ///< outputs so far
-  [[nodiscard]] bool due(double time) const { return time >= static_cast<double>(done) * every * (1 - 1e-14); }
-  void mark(double time) { done = static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-14))) + 1; }
-};
 
 /// One run: what it holds open, and what it has written so far.
 class Run {
@@ -181,13 +174,7 @@ nlohmann::json Run::summary(ExitCode code, std::vector<Verdict> const& verdicts)
   document["state_hash"] = io::state_hash(experiment().state());
   std::vector<double> const values = experiment().measure();
   for (std::size_t k = 0; k < values.size(); ++k) document["measures"][columns_[k].name] = values[k];
-  for (Balance const& balance : experiment().balances()) {
-    nlohmann::json& entry = document["ledgers"][balance.name];
-    entry["unit"] = balance.unit;
-    for (Balance::Term const& t : balance.terms) entry["terms"][t.name] = t.value;
-    entry["residual"] = balance.residual;
-    entry["relative_residual"] = balance.relative;
-  }
+  if (auto const balances = experiment().balances(); !balances.empty()) document["ledgers"] = ledger_document(balances);
   document["expectations"] = verdict_document(verdicts);
   return document;
 }
