@@ -52,7 +52,10 @@ class Sums {
     return mean(static_cast<std::size_t>(samples_->find(name) - samples_->columns.data()));
   }
   /// sum q / sum p: what the stress of the whole mobilises. A mean of q/p would be ruled by particles without load.
-  [[nodiscard]] double friction() const { return mean(sample::shear_stress) / mean(sample::pressure); }
+  [[nodiscard]] double friction() const {
+    double const p = mean(sample::pressure);
+    return p != 0 ? mean(sample::shear_stress) / p : std::numeric_limits<double>::quiet_NaN();
+  }
   [[nodiscard]] double volume_ratio() const { return over(after_, before_); }
   [[nodiscard]] double solid_fraction() const { return over(solid_, after_); }
 
