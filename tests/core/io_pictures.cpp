@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include <boost/test/unit_test.hpp>
-#include <nlohmann/json.hpp>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "core/io/gnuplot.hpp"
