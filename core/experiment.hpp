@@ -7,18 +7,15 @@
 #include <vector>
 
 #include "core/io/checkpoint.hpp"
+#include "core/station.hpp"
 #include "core/time_step.hpp"
 
 namespace talus {
 
-/// A quantity of the time series.
-struct Quantity {
-  std::string name, symbol, unit, meaning;
-};
-
 /// The columns of the series in D dimensions with walls of these names.
 /// ledger: with what the ledger tells.
-[[nodiscard]] std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls, bool ledger);
+[[nodiscard]] std::vector<Quantity> series_quantities(int D, std::vector<std::string> const& walls, bool ledger,
+                                                      std::vector<Station> const& stations);
 
 /// What is composed, for people: one line each.
 struct Explanation {
@@ -67,6 +64,8 @@ class Experiment {
   /// The columns of the series, and their values now.
   [[nodiscard]] virtual std::vector<Quantity> quantities() const = 0;
   [[nodiscard]] virtual std::vector<double> measure() const = 0;
+  /// What the stations see over their depth now, one profile each. Their columns are the same at all times.
+  [[nodiscard]] virtual std::vector<Profile> profiles() const = 0;
 
   /// Mass, momentum, angular momentum (where no axis repeats) and energy since the start; none where the case keeps no
   /// ledger.

@@ -9,7 +9,7 @@ template <int D>
 std::vector<Quantity> ExperimentOf<D>::quantities() const {
   std::vector<std::string> walls;
   for (auto const& wall : simulation_->scene().walls) walls.push_back(wall->name);
-  return series_quantities(D, walls, simulation_->scene().keeps_ledger);
+  return series_quantities(D, walls, simulation_->scene().keeps_ledger, stations_);
 }
 
 template <int D>
@@ -48,7 +48,25 @@ std::vector<double> ExperimentOf<D>::measure() const {
     values.insert(values.end(),
                   {l.now.kinetic, l.gravity, l.walls, l.plastic, l.transfer, l.stepping, l.relative_energy_residual()});
   }
+  for (Station const& station : stations_) {
+    auto const own = talus::measure(station, samples(station));
+    values.insert(values.end(), own.begin(), own.end());
+  }
   return values;
+}
+
+template <int D>
+Snapshot ExperimentOf<D>::samples(Station const& station) const {
+  Sampler<D> sampler(station, simulation_->scene(), time(), steps());
+  for_each_run([&](Material<D> const& material, Batch<D> const& batch, std::size_t) { sampler.take(material, batch); });
+  return sampler.samples();
+}
+
+template <int D>
+std::vector<Profile> ExperimentOf<D>::profiles() const {
+  std::vector<Profile> list;
+  for (Station const& station : stations_) list.push_back(profile(station, samples(station)));
+  return list;
 }
 
 /// sum V_p / sum V_p^0.

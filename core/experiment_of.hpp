@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/experiment.hpp"
+#include "core/sampler.hpp"
 #include "core/simulation.hpp"
 
 namespace talus {
@@ -13,8 +14,12 @@ template <int D>
 class ExperimentOf final : public Experiment {
  public:
   /// The simulation has begun. policies: kind and name of every choice, for `explain`.
-  ExperimentOf(std::unique_ptr<Simulation<D>> simulation, std::vector<Explanation::Line> policies)
-      : simulation_(std::move(simulation)), policies_(std::move(policies)), first_front_(front()) {}
+  ExperimentOf(std::unique_ptr<Simulation<D>> simulation, std::vector<Explanation::Line> policies,
+               std::vector<Station> stations = {})
+      : simulation_(std::move(simulation)),
+        policies_(std::move(policies)),
+        stations_(std::move(stations)),
+        first_front_(front()) {}
 
   [[nodiscard]] double time() const override { return simulation_->time(); }
   [[nodiscard]] long steps() const override { return simulation_->step_count(); }
@@ -27,6 +32,7 @@ class ExperimentOf final : public Experiment {
 
   [[nodiscard]] std::vector<Quantity> quantities() const override;
   [[nodiscard]] std::vector<double> measure() const override;
+  [[nodiscard]] std::vector<Profile> profiles() const override;
   [[nodiscard]] std::vector<Balance> balances() const override;
   [[nodiscard]] Snapshot state() const override;
   [[nodiscard]] Snapshot frame() const override;
@@ -56,9 +62,11 @@ class ExperimentOf final : public Experiment {
   }
   void add_derived(Snapshot& snapshot) const;
   [[nodiscard]] double volume() const;
+  [[nodiscard]] Snapshot samples(Station const& station) const;
 
   std::unique_ptr<Simulation<D>> simulation_;
   std::vector<Explanation::Line> policies_;
+  std::vector<Station> stations_;
   double first_front_;
 };
 

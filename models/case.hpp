@@ -19,6 +19,7 @@
 #include "models/catalogue_transfers.hpp"
 #include "models/catalogue_velocity_fields.hpp"
 #include "models/chosen_law.hpp"
+#include "models/stations.hpp"
 
 namespace talus {
 
@@ -118,6 +119,8 @@ struct OutputEntry {
   double frames_every = 0.1, series_every = 0.002, checkpoints_every = 0.1;
   Choice<TypeList<ledger::EachStep, ledger::None>> ledger =
       Choice<TypeList<ledger::EachStep, ledger::None>>::of<ledger::EachStep>();
+  std::optional<double> profiles_every;
+  std::vector<StationEntry> stations;
   static constexpr auto table() {
     return std::tuple{
         parameter(&OutputEntry::frames_every, "frames_every", "", "s", "time between frames", at_least(1e-9)),
@@ -125,7 +128,11 @@ struct OutputEntry {
                   at_least(1e-9)),
         parameter(&OutputEntry::checkpoints_every, "checkpoints_every", "", "s", "time between checkpoints",
                   at_least(1e-9)),
-        parameter(&OutputEntry::ledger, "ledger", "the account of energy and angular momentum in the summary")};
+        parameter(&OutputEntry::ledger, "ledger", "the account of energy and angular momentum in the summary"),
+        parameter(&OutputEntry::stations, "stations", "boxes in which the flow is measured, for series and profiles"),
+        parameter(&OutputEntry::profiles_every, "profiles_every", "", "s",
+                  "time between the stations' profiles; as long as nothing is said, that between frames",
+                  at_least(1e-9))};
   }
 };
 

@@ -112,6 +112,10 @@ std::vector<Explanation::Line> policies_of(Case const& document) {
     add("contact of " + w.name, w.contact);
     add("motion of " + w.name, w.motion);
   }
+  for (Station const& s : stations_of(document))
+    lines.push_back({"station " + s.name, "flow along " + std::string(axis_names[s.flow]) + ", depth along " +
+                                              std::string(axis_names[s.depth]) + ", " + std::to_string(s.bins) +
+                                              " bins, at output times alone"});
   return lines;
 }
 
@@ -137,7 +141,7 @@ std::unique_ptr<Experiment> compose_in(Case const& document) {
         located("/bodies/" + std::to_string(k), [&] { return filling_of<D>(document.bodies[k], document); }));
   auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
   fill(*simulation, fillings);
-  return std::make_unique<ExperimentOf<D>>(std::move(simulation), policies_of(document));
+  return std::make_unique<ExperimentOf<D>>(std::move(simulation), policies_of(document), stations_of(document));
 }
 
 }  // namespace

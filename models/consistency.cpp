@@ -97,7 +97,8 @@ void check_transfer(Case const& document, Mistakes& wrong) {
 void check_measures(Case const& document, int D, Mistakes& wrong) {
   std::vector<std::string> walls;
   for (WallEntry const& entry : document.walls) walls.push_back(entry.name);
-  auto const known = series_quantities(D, walls, document.output.ledger.holds<ledger::EachStep>());
+  auto const known =
+      series_quantities(D, walls, document.output.ledger.holds<ledger::EachStep>(), stations_of(document));
   std::string names;
   for (Quantity const& q : known) names += (names.empty() ? "" : ", ") + q.name;
   for (std::size_t k = 0; k < document.expect.size(); ++k)
@@ -128,6 +129,7 @@ std::vector<std::string> inconsistencies(Case const& document) {
   check_names(document.walls, "walls", wrong);
   check_bodies(document, D, wrong);
   check_walls(document, D, wrong);
+  check_stations(document, D, wrong);
   check_measures(document, D, wrong);
   return wrong;
 }

@@ -93,6 +93,7 @@ class Models final : public Program {
                      values.output.frames_every,
                      values.output.series_every,
                      values.output.checkpoints_every,
+                     values.output.profiles_every.value_or(values.output.frames_every),
                      0,
                      {}};
     for (BodyEntry const& body : values.bodies)

@@ -27,7 +27,7 @@ struct ExpectedValue {
 struct RunPlan {
   std::string title;
   std::vector<std::string> cite;
-  double end = 0, frames_every = 0, series_every = 0, checkpoints_every = 0;
+  double end = 0, frames_every = 0, series_every = 0, checkpoints_every = 0, profiles_every = 0;
   std::uint64_t seed = 0;  ///< of the first body that is seeded at random
   std::vector<ExpectedValue> expect;
 };

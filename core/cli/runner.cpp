@@ -5,6 +5,8 @@
 #include <chrono>
 #include <csignal>
 
+#include "core/cli/profile_files.hpp"
+#include "core/cli/schedule.hpp"
 #include "core/io/hash.hpp"
 #include "core/io/machine.hpp"
 #include "core/io/pictures.hpp"
@@ -23,14 +25,6 @@ extern "C" void note_signal(int number) {
   stop_signal = number;
 }
 
-/// Output times 0, every, 2 every, ...: something is due at the first step at or after each.
-struct Schedule {
-  double every;
-  std::int64_t done = 0;  ///< outputs so far
-  [[nodiscard]] bool due(double time) const { return time >= static_cast<double>(done) * every * (1 - 1e-14); }
-  void mark(double time) { done = static_cast<std::int64_t>(std::floor(time / every * (1 + 1e-14))) + 1; }
-};
-
 /// One run: what it holds open, and what it has written so far.
 class Run {
  public:
@@ -41,21 +35,27 @@ class Run {
         frame_times_{composed_.plan.frames_every},
         series_times_{composed_.plan.series_every},
         checkpoint_times_{composed_.plan.checkpoints_every},
+        profile_times_{composed_.plan.profiles_every},
         start_(io::utc_now()) {
     for (Quantity const& q : experiment().quantities()) columns_.push_back({q.name, q.unit});
   }
 
-  void begin_new() { series_.emplace(folder_.series(), columns_); }
+  void begin_new() {
+    series_.emplace(folder_.series(), columns_);
+    profiles_.begin(folder_, experiment());
+  }
 
   void take(io::Checkpoint const& saved) {
     experiment().restore(saved);
     frame_times_.done = saved.value<std::int64_t>("frames_due");
     series_times_.done = saved.value<std::int64_t>("series_due");
     checkpoint_times_.done = saved.value<std::int64_t>("checkpoints_due");
+    profile_times_.done = saved.value<std::int64_t>("profiles_due");
     auto const& times = saved.value<std::vector<double>>("frame_times");
     auto const& files = saved.value<std::vector<std::string>>("frame_files");
     for (std::size_t k = 0; k < times.size(); ++k) frames_.push_back({times[k], files[k]});
     series_.emplace(folder_.series(), columns_, saved.value<std::int64_t>("series_rows"));
+    profiles_.resume(folder_, experiment(), saved.value<std::vector<std::int64_t>>("profile_rows"));
   }
 
   void write_provenance(std::vector<io::InputFile> inputs) {
@@ -76,10 +76,11 @@ class Run {
   Composed composed_;
   io::RunFolder folder_;
   RunOptions options_;
-  Schedule frame_times_, series_times_, checkpoint_times_;
+  Schedule frame_times_, series_times_, checkpoint_times_, profile_times_;
   std::string start_;
   std::vector<io::SeriesColumn> columns_;
   std::optional<io::SeriesWriter> series_;
+  ProfileFiles profiles_;
   std::vector<io::Frame> frames_;
   io::Provenance provenance_;
   std::string failure_;
@@ -93,6 +94,10 @@ void Run::write_outputs(bool last) {
   if (series_times_.due(t) || last) {
     series_->append(experiment().measure());
     series_times_.mark(t);
+  }
+  if (profile_times_.due(t) || last) {
+    profiles_.append(experiment());
+    profile_times_.mark(t);
   }
   if (frame_times_.due(t) || (last && (frames_.empty() || frames_.back().time != t))) {
     folder_.add_frame(experiment().frame(), frames_);
@@ -115,11 +120,14 @@ void Run::write_checkpoint() {
   saved.values["frames_due"] = frame_times_.done;
   saved.values["series_due"] = series_times_.done;
   saved.values["checkpoints_due"] = checkpoint_times_.done;
+  saved.values["profiles_due"] = profile_times_.done;
   saved.values["frame_times"] = times;
   saved.values["frame_files"] = files;
   saved.values["series_rows"] = series_->rows();
+  saved.values["profile_rows"] = profiles_.rows();
   saved.values["case"] = composed_.resolved.dump();
   series_->sync();
+  profiles_.sync();
   io::write_checkpoint(folder_.checkpoints(), saved, 2);
   folder_.write_status({io::Outcome::running, std::nullopt, experiment().time(), experiment().steps()});
 }
@@ -166,13 +174,7 @@ nlohmann::json Run::summary(ExitCode code, std::vector<Verdict> const& verdicts)
   document["state_hash"] = io::state_hash(experiment().state());
   std::vector<double> const values = experiment().measure();
   for (std::size_t k = 0; k < values.size(); ++k) document["measures"][columns_[k].name] = values[k];
-  for (Balance const& balance : experiment().balances()) {
-    nlohmann::json& entry = document["ledgers"][balance.name];
-    entry["unit"] = balance.unit;
-    for (Balance::Term const& t : balance.terms) entry["terms"][t.name] = t.value;
-    entry["residual"] = balance.residual;
-    entry["relative_residual"] = balance.relative;
-  }
+  if (auto const balances = experiment().balances(); !balances.empty()) document["ledgers"] = ledger_document(balances);
   document["expectations"] = verdict_document(verdicts);
   return document;
 }

@@ -79,6 +79,18 @@ nlohmann::json verdict_document(std::vector<Verdict> const& verdicts) {
   return list;
 }
 
+nlohmann::json ledger_document(std::vector<Balance> const& balances) {
+  nlohmann::json document = nlohmann::json::object();
+  for (Balance const& balance : balances) {
+    nlohmann::json& entry = document[balance.name];
+    entry["unit"] = balance.unit;
+    for (Balance::Term const& t : balance.terms) entry["terms"][t.name] = t.value;
+    entry["residual"] = balance.residual;
+    entry["relative_residual"] = balance.relative;
+  }
+  return document;
+}
+
 std::string ledger_lines(nlohmann::json const& summary) {
   std::string text;
   if (!summary.contains("ledgers")) return text;

@@ -29,6 +29,8 @@ struct Verdict {
 [[nodiscard]] std::string verdict_table(std::vector<Verdict> const& verdicts);
 [[nodiscard]] nlohmann::json verdict_document(std::vector<Verdict> const& verdicts);
 
+/// The ledgers as a run's summary has them.
+[[nodiscard]] nlohmann::json ledger_document(std::vector<Balance> const& balances);
 /// The ledgers of a run's summary as lines for people; empty where it kept none.
 [[nodiscard]] std::string ledger_lines(nlohmann::json const& summary);
 

@@ -29,8 +29,10 @@ std::string curve_script(CurvePage const& page, PictureFormat const& format) {
   std::string plots;
   for (std::size_t k = 0; k < page.curves.size(); ++k) {
     CsvCurve const& curve = page.curves[k];
-    plots += fmt::format("{} {} skip 1 using {}:{} with {} lw 2 dt {} lc rgb '{}'{} title {}",
-                         k == 0 ? "plot" : ", \\\n    ", gnuplot_string(curve.file), curve.x, curve.y,
+    std::string const every =
+        curve.rows > 0 ? fmt::format(" every ::{}::{}", curve.first, curve.first + curve.rows - 1) : "";
+    plots += fmt::format("{} {} skip 1{} using {}:{} with {} lw 2 dt {} lc rgb '{}'{} title {}",
+                         k == 0 ? "plot" : ", \\\n    ", gnuplot_string(curve.file), every, curve.x, curve.y,
                          page.dots ? "linespoints" : "lines", 1 + k / colours.size() % 5, colours[k % colours.size()],
                          page.dots ? " pt 7 ps 0.7" : "", gnuplot_string(curve.label));
   }

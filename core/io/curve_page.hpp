@@ -9,10 +9,12 @@
 
 namespace talus::io {
 
-/// Two columns (counted from 1) of a file of numbers with a header, separated by commas.
+/// Two columns (counted from 1) of a file of numbers with a header, separated by commas: of `rows` rows from `first` on,
+/// or of all if `rows` is 0.
 struct CsvCurve {
   std::string label, file;
   std::size_t x = 1, y = 2;
+  std::size_t first = 0, rows = 0;
 };
 
 struct CurvePage {

@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/gnuplot.hpp"
 #include "core/io/picture_panel.hpp"
+#include "core/io/profile_page.hpp"
 #include "core/io/series.hpp"
 #include "core/io/series_page.hpp"
 #include "core/io/vtu.hpp"
@@ -128,6 +129,7 @@ std::string draw_pictures(fs::path const& run_folder, PictureOptions const& opti
   auto const series = fs::exists(rows) ? read_series(rows) : Series{};
   std::vector<Page> pages;
   if (!instants.empty()) pages = particle_pages(run_folder, instants, options.field);
+  auto const profiles = profile_pages(run_folder, title_of(run_folder), options.instants);
 
   std::string script;
   std::vector<std::string> names;
@@ -139,6 +141,10 @@ std::string draw_pictures(fs::path const& run_folder, PictureOptions const& opti
     if (auto const motion = motion_script(series, format); !motion.empty()) {
       script += motion;
       names.push_back("motion." + format.extension);
+    }
+    for (auto const& page : profiles) {
+      script += curve_script(page, format);
+      names.push_back(page.name + "." + format.extension);
     }
   }
   if (names.empty()) return "the run has neither particles nor a series to show";

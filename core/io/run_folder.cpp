@@ -22,15 +22,17 @@ namespace {
 
 constexpr std::string_view status_schema = "talus/status/1";
 constexpr std::array<std::string_view, 4> outcome_names{"running", "done", "failed", "stopped"};
-constexpr std::array<char const*, 3> subfolders{"frames", "checkpoints", "plots"};
+constexpr std::array<char const*, 3> subfolders{"frames", "checkpoints", "plots"};  // every run has them
+constexpr char const* profiles = "profiles";                                        // one with stations
 
 /// The names, relative to the folder, of the files that Talus writes into it, and of what a kill leaves of them.
 /// Without status.json, which marks the folder as a run's: it is replaced, never removed.
 bool is_ours(std::string const& name) {
   static std::regex const ours(
       R"(((case|resolved|provenance|summary)\.json|series\.csv|log\.txt|report\.html|frames\.pvd)"
-      R"(|frames/f_\d{6,}\.vtu|checkpoints/ck_\d{12,}\.h5)"
-      R"(|plots/(particles(_side|_last)?|motion)\.(png|svg)|plots/pictures\.(gp|log)|plots/(side|oblique)_\d{6,}\.dat)(\.tmp)?)");
+      R"(|frames/f_\d{6,}\.vtu|checkpoints/ck_\d{12,}\.h5|profiles/\w+\.csv)"
+      R"(|plots/(particles(_side|_last)?|motion|profile_\w+)\.(png|svg))"
+      R"(|plots/pictures\.(gp|log)|plots/(side|oblique)_\d{6,}\.dat)(\.tmp)?)");
   return std::regex_match(name, ours);
 }
 
@@ -71,6 +73,7 @@ void clear_run(fs::path const& path) {
   try {
     for (std::string const below : subfolders)
       if (fs::exists(path / below)) clear(path, below);
+    if (fs::exists(path / profiles)) clear(path, profiles);
     clear(path, "");
   } catch (fs::filesystem_error const& error) {
     throw FileError("cannot clear the folder " + path.string() + ": " + error.code().message());
@@ -113,6 +116,11 @@ RunFolder RunFolder::open(fs::path const& path) {
   RunFolder folder(path, lock(path));
   for (auto const* name : subfolders) make_folder(path / name);
   return folder;
+}
+
+fs::path RunFolder::profile(std::string_view station) const {
+  make_folder(path_ / profiles);
+  return path_ / profiles / (std::string(station) + ".csv");
 }
 
 void RunFolder::write(std::string_view name, std::string_view bytes) const {

@@ -28,9 +28,9 @@ struct Status {
 /// A run's folder, held by one process at a time:
 ///
 ///   case.json resolved.json provenance.json status.json summary.json series.csv log.txt report.html
-///   frames.pvd  frames/f_000000.vtu ...  checkpoints/ck_000000000000.h5 ...  plots/
+///   frames.pvd  frames/f_000000.vtu ...  profiles/STATION.csv ...  checkpoints/ck_000000000000.h5 ...  plots/
 ///
-/// Every file but series.csv and log.txt, which grow, is replaced as a whole: a kill at any moment leaves a usable
+/// Every file but series.csv, profiles and log.txt, which grow, is replaced as a whole: a kill at any moment leaves a usable
 /// folder.
 class RunFolder {
  public:
@@ -47,6 +47,9 @@ class RunFolder {
   [[nodiscard]] std::filesystem::path checkpoints() const { return path_ / "checkpoints"; }
   [[nodiscard]] std::filesystem::path series() const { return path_ / "series.csv"; }
   [[nodiscard]] std::filesystem::path frame_list() const { return path_ / "frames.pvd"; }
+
+  /// The file of a station's profiles; makes its folder. Throws FileError.
+  [[nodiscard]] std::filesystem::path profile(std::string_view station) const;
 
   /// Writes a file byte for byte (case.json, report.html), atomically. Throws FileError.
   void write(std::string_view name, std::string_view bytes) const;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <boost/test/unit_test.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -189,6 +190,29 @@ BOOST_AUTO_TEST_CASE(a_run_without_particles_or_with_one_still_has_its_pictures,
   run.add_frame(one, frames);
   BOOST_TEST(io::draw_pictures(run.path()) == "");
   BOOST_TEST(fs::exists(run.path() / "plots/particles.png"));
+}
+
+BOOST_AUTO_TEST_CASE(profiles_are_drawn_at_times_at_which_the_station_sees_something,
+                     *boost::unit_test::precondition(gnuplot_is_there)) {
+  TemporaryFolder const folder;
+  auto const run = io::RunFolder::create(folder / "run", false);
+  std::vector<io::Frame> frames;
+  run.add_frame(collapsing_heap(2, 8, 0), frames);
+  double const none = std::numeric_limits<double>::quiet_NaN();
+  io::SeriesWriter toe(run.profile("toe"), {{"time", "s"}, {"height", "m"}, {"flow_velocity", "m/s"}});
+  io::SeriesWriter empty(run.profile("sky"), {{"time", "s"}, {"height", "m"}, {"flow_velocity", "m/s"}});
+  for (int k = 0; k < 5; ++k)
+    for (double const y : {0.1, 0.2, 0.3}) {
+      bool const there = k > 1 && y < 0.3;
+      toe.append(std::vector<double>{0.25 * k, there ? y : none, there ? y * k : none});
+      empty.append(std::vector<double>{0.25 * k, none, none});
+    }
+  BOOST_TEST(io::draw_pictures(run.path()) == "");
+  BOOST_TEST(io::read_file(run.path() / "plots/pictures.log") == "");
+  auto const picture = io::read_file(run.path() / "plots/profile_toe.svg");
+  for (std::string const text : {"0.5 s", "0.75 s", "1 s"}) BOOST_TEST(picture.find(text) != picture.npos, text);
+  BOOST_TEST(picture.find("0.25 s") == picture.npos);
+  BOOST_TEST(!fs::exists(run.path() / "plots/profile_sky.svg"));
 }
 
 BOOST_AUTO_TEST_CASE(without_gnuplot_there_is_a_word_and_no_error) {

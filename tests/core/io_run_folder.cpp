@@ -25,13 +25,15 @@ void leave_a_run(fs::path const& path) {
   auto folder = io::RunFolder::create(path, false);
   for (auto const* name : {"case.json", "resolved.json", "provenance.json", "summary.json", "report.html"})
     folder.write(name, std::string_view("{}"));
-  io::SeriesWriter(folder.series(), {{"time", "s"}}).append(std::vector<double>{0});
+  for (auto const& file : {folder.series(), folder.profile("toe")})
+    io::SeriesWriter(file, {{"time", "s"}}).append(std::vector<double>{0});
   std::vector<io::Frame> frames;
   folder.add_frame(support::collapsing_heap(2, 8, 0), frames);
   folder.add_frame(support::collapsing_heap(2, 8, 0.5), frames);
   io::write_checkpoint(folder.checkpoints(), {support::collapsing_heap(2, 8, 0.5), {}}, 2);
-  for (auto const* name : {"frames/f_000002.vtu.tmp", "checkpoints/ck_000000000900.h5.tmp", "summary.json.tmp",
-                           "plots/particles.png", "plots/motion.svg", "plots/pictures.gp", "plots/side_000000.dat"})
+  for (auto const* name :
+       {"frames/f_000002.vtu.tmp", "checkpoints/ck_000000000900.h5.tmp", "summary.json.tmp", "plots/particles.png",
+        "plots/motion.svg", "plots/profile_toe.png", "plots/pictures.gp", "plots/side_000000.dat"})
     folder.write(name, std::string_view("rest"));
   folder.write_status({io::Outcome::failed, 4, 0.5, 500});
 }
@@ -79,6 +81,7 @@ BOOST_AUTO_TEST_CASE(force_removes_what_is_ours_and_nothing_else) {
                                          "notes.txt",
                                          "plots/mine.png",
                                          "plots/particles_blue.png",
+                                         "profiles/of mine.csv",
                                          "summary.json.bak",
                                          "sub/case.json"};
   for (auto const& name : foreign) {

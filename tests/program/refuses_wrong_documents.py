@@ -20,6 +20,12 @@ def polygon_in_space():
     return changed("/bodies/0/shape", shape, study("column_3d"))
 
 
+def station(**members):
+    """The dam break with a station, of which members are replaced; another one is called toe."""
+    toe = {"name": "toe", "min": [0.0, 0.0], "max": [0.1, 0.1]}
+    return changed("/output/stations", [toe, {**toe, "name": "gate", **members}])
+
+
 # name of the file: document, words that the message must hold (where, what was found, what is allowed)
 VALUES = {
     "unknown_key": (changed("/gravity/slope", 22), "/gravity/slope", "slope_deg"),
@@ -45,6 +51,14 @@ VALUES = {
     "unknown_measure": (changed("/expect", [{"measure": "centre_of_mas_x", "time": 0.05, "value": 0.1,
                                              "relative": 0.1, "because": "a typing error"}]),
                         "/expect/0/measure", "centre_of_mas_x", "centre_of_mass_x"),
+    "station_turned_over": (station(max=[0.1, -0.1]), "/output/stations/1/max/1", "-0.1", "0.0"),
+    "station_named_twice": (station(name="toe"), "/output/stations/1/name", "toe", "twice"),
+    "station_named_as_a_path": (station(name="../toe"), "/output/stations/1/name", "../toe", "letter"),
+    "station_across_the_plane": (station(depth={"type": "z"}), "/output/stations/1/depth", "plane"),
+    "station_flows_upwards": (station(flow={"type": "y"}), "/output/stations/1/depth", "another"),
+    "station_without_bins": (station(bins=0), "/output/stations/1/bins", "0", "1 <= x"),
+    "station_longer_than_the_period": (changed("/grid/periods", [0.08, 0], station()), "/output/stations/1/max/0",
+                                       "0.1", "0.08"),
     "end_of_time": (changed("/time/end", -1), "/time/end", "-1", ">= 0"),
 }
 

@@ -5,7 +5,15 @@ import subprocess
 import time
 import unittest
 
-from talus_process import PROGRAM, InFolder, coarse_dam
+from talus_process import PROGRAM, InFolder, coarse_dam as plain_dam
+
+
+def coarse_dam():
+    """The dam break with a station in its way."""
+    case = plain_dam()
+    case["output"]["stations"] = [{"name": "toe", "min": [0.15, 0.0], "max": [0.3, 0.2]}]
+    case["output"]["profiles_every"] = 0.007
+    return case
 
 
 class Bits(InFolder):
@@ -18,11 +26,13 @@ class Bits(InFolder):
     def same_files(self, one, other):
         for name in ("series.csv", "frames.pvd"):
             self.assertEqual((self.folder / one / name).read_bytes(), (self.folder / other / name).read_bytes(), name)
-        frames = sorted(p.name for p in (self.folder / one / "frames").iterdir())
-        self.assertEqual(frames, sorted(p.name for p in (self.folder / other / "frames").iterdir()))
-        for name in frames:
-            self.assertEqual((self.folder / one / "frames" / name).read_bytes(),
-                             (self.folder / other / "frames" / name).read_bytes(), name)
+        for below in ("frames", "profiles"):
+            files = sorted(p.name for p in (self.folder / one / below).iterdir())
+            self.assertNotEqual(files, [])
+            self.assertEqual(files, sorted(p.name for p in (self.folder / other / below).iterdir()))
+            for name in files:
+                self.assertEqual((self.folder / one / below / name).read_bytes(),
+                                 (self.folder / other / below / name).read_bytes(), name)
 
     def test_they_do_not_depend_on_the_number_of_threads(self):
         case = self.save(coarse_dam())
