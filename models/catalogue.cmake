@@ -52,6 +52,8 @@ talus_catalogue(Shapes wall::Polyline models/boundaries/shapes/polyline.hpp)
 
 talus_catalogue(Contacts wall::Stick models/boundaries/contacts/stick.hpp)
 talus_catalogue(Contacts wall::Slip models/boundaries/contacts/slip.hpp)
+talus_catalogue(Contacts wall::MirroredStick models/boundaries/contacts/mirrored_stick.hpp)
+talus_catalogue(Contacts wall::MirroredSlip models/boundaries/contacts/mirrored_slip.hpp)
 talus_catalogue(Contacts wall::Separating models/boundaries/contacts/separating.hpp)
 talus_catalogue(Contacts wall::Coulomb models/boundaries/contacts/coulomb.hpp)
 talus_catalogue(Contacts wall::MaterialFriction models/boundaries/contacts/material_friction.hpp)

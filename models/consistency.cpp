@@ -2,6 +2,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/mirror.hpp"
+#include "models/boundaries/make_wall.hpp"
 #include "models/compose.hpp"
 #include "models/make.hpp"
 
@@ -65,6 +67,30 @@ void check_bodies(Case const& document, int D, Mistakes& wrong) {
   }
 }
 
+/// A mirror is flat, across an axis, and on a row of nodes.
+template <int D>
+void check_mirror(Case const& document, std::size_t k, Mistakes& wrong) {
+  WallEntry const& entry = document.walls[k];
+  ContactRule rule;
+  entry.contact.visit([&]<class C>(std::type_identity<C>, auto const& contact) { rule = C::rule(contact); });
+  if (!rule.mirrors) return;
+  if (!entry.shape.holds<wall::HalfSpace>()) {
+    wrong.push_back(at("walls", k, "contact") + ": only a half_space can mirror; found '" +
+                    std::string(entry.shape.name()) + "'; take stick or slip");
+    return;
+  }
+  entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
+    entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
+      if constexpr (std::is_same_v<S, wall::HalfSpace>) try {
+          auto const wall = make_wall<D, S, wall::Stick, M>(entry.name, shape, {}, motion);
+          (void)mirror_plane<D>(*wall, document.grid.spacing);
+        } catch (InputError const& error) {
+          wrong.push_back(at("walls", k, "shape") + ": " + error.what());
+        }
+    });
+  });
+}
+
 void check_walls(Case const& document, int D, Mistakes& wrong) {
   if (document.walls.size() > most_walls)
     wrong.push_back("/walls: found " + std::to_string(document.walls.size()) + " walls; at most " +
@@ -76,6 +102,7 @@ void check_walls(Case const& document, int D, Mistakes& wrong) {
         wrong.push_back(at("walls", k, "shape") + ": a " + std::string(S::name) + " is not for " + std::to_string(D) +
                         " dimensions");
     });
+    D == 2 ? check_mirror<2>(document, k, wrong) : check_mirror<3>(document, k, wrong);
     if (!entry.contact.holds<wall::MaterialFriction>()) continue;
     for (MaterialEntry const& m : document.materials)
       if (!m.law->has_friction())

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "models/boundaries/contacts/mirrored_slip.hpp"
 #include "models/boundaries/contacts/slip.hpp"
 #include "models/boundaries/make_wall.hpp"
 #include "models/boundaries/motions/fixed.hpp"
@@ -33,13 +34,14 @@ struct Column {
 };
 
 /// N cells in the unloaded height, n particles a cell.
-Column begun(Scheme const& scheme, int N, int n, bool mirrored) {
+Column begun(Scheme const& scheme, int N, int n, Foot foot) {
+  bool const twin = foot == Foot::twin;
   auto const& exact = column_on_foot;
   double const h = exact.height / N, c = std::sqrt(exact.modulus / exact.density);
   Column column;
   std::vector<Seed<2>> seeds;
-  Point<2> const low(0, mirrored ? -exact.height : 0);
-  for (auto const& place : lattice<2>(low, {block_edge, mirrored ? 2 * N : N}, {1, n}, h)) {
+  Point<2> const low(0, twin ? -exact.height : 0);
+  for (auto const& place : lattice<2>(low, {block_edge, twin ? 2 * N : N}, {1, n}, h)) {
     double const X = place[1], side = X < 0 ? -1 : 1;
     Seed<2> seed;
     seed.x = {place[0], side * exact.place(side * X)};
@@ -50,13 +52,15 @@ Column begun(Scheme const& scheme, int N, int n, bool mirrored) {
   }
   Scene<2> scene = scene_of<kinematics::PlaneStrainReduced, law::Hencky>(scheme, h, exact.density, {exact.modulus, 0});
   scene.periods = {1, 0};
-  if (mirrored) {
+  if (twin) {
     scene.body_force = std::make_unique<Inwards>(column.X);
   } else {
     scene.gravity = {0, -exact.gravity};
     wall::HalfSpace::Parameters floor;
     floor.normal = {0, 1};
-    scene.walls.push_back(make_wall<2, wall::HalfSpace, wall::Slip, wall::Fixed>("floor", floor, {}, {}));
+    scene.walls.push_back(foot == Foot::mirror
+                              ? make_wall<2, wall::HalfSpace, wall::MirroredSlip, wall::Fixed>("floor", floor, {}, {})
+                              : make_wall<2, wall::HalfSpace, wall::Slip, wall::Fixed>("floor", floor, {}, {}));
   }
   set_step(scene, 0.2 * h / c);
   column.simulation = begin(std::move(scene), seeds);
@@ -65,9 +69,9 @@ Column begun(Scheme const& scheme, int N, int n, bool mirrored) {
 
 }  // namespace
 
-Measured solved_column(Scheme const& scheme, int N, int n, bool mirrored) {
+Measured solved_column(Scheme const& scheme, int N, int n, Foot foot) {
   auto const& exact = column_on_foot;
-  Column const column = begun(scheme, N, n, mirrored);
+  Column const column = begun(scheme, N, n, foot);
   Measured measured;
   settle(*column.simulation, 25 * N * 5, measured.cost);
   auto const y = verification::column(*column.simulation, "position", 1);

@@ -9,9 +9,11 @@ namespace talus::verification {
 
 inline constexpr reference::HenckyColumn column_on_foot{1e5, 1500, 9.81, 10};
 
-/// Brings the column to rest, N cells in its unloaded height, n particles a cell; on a slip wall at a node, or two columns
-/// foot to foot, pulled towards the middle. Gives the errors of place over the height and of stress over that at the
+/// What the column stands on: a slip wall at a node, one that mirrors, or its own twin that is pulled the other way.
+enum class Foot { wall, mirror, twin };
+
+/// Brings the column to rest, N cells in its unloaded height, n particles a cell. Gives the errors of place over the height and of stress over that at the
 /// foot, root mean square over particles.
-[[nodiscard]] Measured solved_column(Scheme const& scheme, int N, int n, bool mirrored);
+[[nodiscard]] Measured solved_column(Scheme const& scheme, int N, int n, Foot foot);
 
 }  // namespace talus::verification

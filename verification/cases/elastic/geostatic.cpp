@@ -20,10 +20,12 @@ namespace talus::verification {
 
 namespace {
 
-void study(Findings& findings, Scheme const& scheme, bool mirrored) {
+void study(Findings& findings, Scheme const& scheme, Foot foot) {
+  constexpr char const* names[] = {", on a wall", ", on a mirror", ", on its twin"};
+  bool const mirrored = foot != Foot::wall;
   constexpr int cells[] = {10, 20, 40};
   Refinement study;
-  study.subject = scheme.name() + (mirrored ? ", mirrored" : ", on a wall");
+  study.subject = scheme.name() + names[static_cast<std::size_t>(foot)];
   for (int const N : cells) study.spacings.push_back(column_on_foot.height / N);
   study.norms.resize(2);
   study.norms[0].name = "x over the height";
@@ -33,7 +35,7 @@ void study(Findings& findings, Scheme const& scheme, bool mirrored) {
   study.norms[0].because = mirrored ? "2 or more: at rest, smoothing by the lumped mass plays no part; 1e-3 at 40 cells"
                                     : "1: the wall's; 1e-3 at 40 cells is not reached";
   study.norms[1].because = "quadrature, and what is next to foot and top";
-  study.solve = [&](std::size_t level) { return solved_column(scheme, cells[level], cells[level] / 5, mirrored); };
+  study.solve = [&](std::size_t level) { return solved_column(scheme, cells[level], cells[level] / 5, foot); };
   refine(findings, study, "Column");
 }
 
@@ -44,7 +46,7 @@ void run(Findings& findings) {
              about(6.6289627048, 1e-10), "computed apart, by quadrature of F")
       .unit = "m";
   for (std::string const kernel : {"quadratic", "cubic"})
-    for (bool const mirrored : {true, false}) study(findings, {kernel, "flip"}, mirrored);
+    for (Foot const foot : {Foot::twin, Foot::mirror, Foot::wall}) study(findings, {kernel, "flip"}, foot);
 }
 
 }  // namespace

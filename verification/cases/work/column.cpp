@@ -14,7 +14,7 @@ double const largest = column_on_foot.height - column_on_foot.place(column_on_fo
 void run(Findings& findings) {
   Problem const problem{"geostatic column", "settlement over the largest",
                         [](Scheme const& scheme, int n, int N, Cost& cost) {
-                          Measured const found = solved_column(scheme, N, n, false);
+                          Measured const found = solved_column(scheme, N, n, Foot::wall);
                           cost += found.cost;
                           return found.errors[0] * column_on_foot.height / largest;
                         }};
