@@ -114,7 +114,9 @@ def main():
         build(arguments.scratch, patches)
     if spoilt := rows_missed(program, 0, named):
         sys.exit(f"without any defect these rows are missed, so that nothing can be said: {spoilt}")
-    lines = ["| | planted | to be caught by | verdict | first row that tells | other cases of tier 0 that tell |",
+    lines = ["# Planted defects\n", "Made by `verification/defects/run.py`: every defect is switched on in a copy of the sources, and the case",
+             "that is to catch it is run, and tier 0. Number 13 is none: a valid variant that must pass.\n",
+             "| | planted | to be caught by | verdict | first row that tells | other cases of tier 0 that tell |",
              "|---|---|---|---|---|---|"]
     well = True
     for defect in defects:
