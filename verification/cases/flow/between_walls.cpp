@@ -1,0 +1,84 @@
+/// Steady flow between rough walls that mirror: plane shear, and down a vertical chute. The walls hold the volume, so that
+/// the pressure is an outcome: the reference is that of the pressure across the flow that was found, its mean over the
+/// inner slices.
+///
+/// Source: GDR MiDi (2004), doi:10.1140/epje/i2003-10153-0; verification/reference/flow/confined.hpp.
+
+#include <cmath>
+#include <numeric>
+
+#include "verification/reference/flow/confined.hpp"
+#include "verification/suite/cases.hpp"
+#include "verification/suite/flow_profile.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+using namespace reference::flow;
+
+std::vector<std::string> const changes{R"(/materials/0/law/type="cam_clay_mu_i_two_stage")",
+                                       R"(/transfer={"type": "apic"})",
+                                       "/bodies/0/seeding/per_cell=12",
+                                       R"(/walls/0/contact={"type": "mirrored_stick"})",
+                                       R"(/walls/1/contact={"type": "mirrored_stick"})",
+                                       "/output/stations=[]",
+                                       "/expect=[]"};
+
+double inner_mean(std::vector<double> const& values) {
+  return std::accumulate(values.begin() + 2, values.end() - 2, 0.0) / (slices - 4);
+}
+
+void plane_shear(Findings& findings) {
+  constexpr double speed = 1, gap = 0.05;
+  Cost cost;
+  FlowProfile const flow = mean_of(profiles_of("plane_shear.json", changes, evenly(0.2, 0.4, 20), cost));
+  double off = 0;
+  for (std::size_t s = 0; s < slices; ++s) off = std::max(off, std::abs(flow.u[s] / speed - flow.y[s] / gap));
+  PlaneShear const exact{glass_beads(40, 0), inner_mean(flow.normal_stress), speed, gap};
+  findings.check("plane shear", "largest |u/V - y/H| of a slice", off, at_most(0.01), "1 % of the plate's speed", cost);
+  findings.check("plane shear", "shear stress over that of the pressure found",
+                 inner_mean(flow.shear_stress) / exact.shear_stress(), about(1, 0.02), "2 %");
+  findings.plots.push_back({"Plane shear: u over y",
+                            "y [m]",
+                            "u [m/s]",
+                            false,
+                            false,
+                            {Curve{"slices", flow.y, flow.u}, Curve{"exact", {0, gap}, {0, speed}, true}}});
+}
+
+void chute(Findings& findings) {
+  Cost cost;
+  FlowProfile const flow = mean_of(profiles_of("vertical_chute.json", changes, evenly(0.6, 1, 20), cost));
+  VerticalChute const exact{glass_beads(40, 0), inner_mean(flow.normal_stress), 0.02};
+  findings.note("vertical chute", "speed of the plug over that of the pressure found",
+                flow.u[slices / 2] / exact.speed(0), "16 cells across", cost);
+  std::vector<double> y, u;
+  for (double const at : evenly(-exact.half_width, exact.half_width, 200)) {
+    y.push_back(at);
+    u.push_back(exact.speed(std::abs(at)));
+  }
+  findings.plots.push_back({"Vertical chute: u over y",
+                            "y [m]",
+                            "u [m/s]",
+                            false,
+                            false,
+                            {Curve{"slices", flow.y, flow.u}, Curve{"exact", y, u, true}}});
+}
+
+void run(Findings& findings) {
+  plane_shear(findings);
+  chute(findings);
+}
+
+}  // namespace
+
+Case const flow_between_walls{"flow/between_walls",
+                              "Plane shear and flow down a vertical chute",
+                              "closed forms of verification/reference/flow/confined.hpp",
+                              "GDR MiDi (2004), doi:10.1140/epje/i2003-10153-0",
+                              2,
+                              300,
+                              run};
+
+}  // namespace talus::verification

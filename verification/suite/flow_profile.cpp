@@ -1,0 +1,131 @@
+#include "verification/suite/flow_profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "core/cli/program.hpp"
+#include "core/io/files.hpp"
+#include "verification/reference/flow/fluid.hpp"
+#include "verification/reference/flow/interpolated.hpp"
+#include "verification/suite/places.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+NamedColumn const& named(Snapshot const& snapshot, std::string const& name) {
+  return *std::ranges::find(snapshot.columns, name, &NamedColumn::name);
+}
+
+/// Numbers of the particles from the lowest to the highest; `x` as the snapshot has it.
+std::vector<std::size_t> by_height(std::vector<double> const& x) {
+  std::vector<std::size_t> order(x.size() / 2);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](std::size_t p) { return x[2 * p + 1]; });
+  return order;
+}
+
+FlowProfile profile_of(Snapshot const& snapshot) {
+  reference::Elasticity const elastic = reference::flow::glass_beads(40, 0).elastic;
+  auto const &x = named(snapshot, "position").values, &v = named(snapshot, "velocity").values,
+             &eps = named(snapshot, "elastic_strain").values;
+  auto const order = by_height(x);
+  std::size_t const n = order.size();
+  FlowProfile profile;
+  std::vector<double> square(slices), count(slices);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t const p = order[k], s = k * slices / n;
+    double const volume = eps[3 * p] + eps[3 * p + 1], pressure = -elastic.K() * volume;
+    profile.y[s] += x[2 * p + 1];
+    profile.u[s] += v[2 * p];
+    profile.pressure[s] += pressure;
+    profile.shear_stress[s] += 2 * elastic.G() * eps[3 * p + 2];
+    profile.normal_stress[s] -= elastic.lambda() * volume + 2 * elastic.G() * eps[3 * p + 1];
+    square[s] += pressure * pressure;
+    count[s] += 1;
+    profile.thickness += 2 * x[2 * p + 1] / double(n);
+  }
+  for (std::size_t s = 0; s < slices; ++s) {
+    for (auto* list :
+         {&profile.y, &profile.u, &profile.pressure, &profile.shear_stress, &profile.normal_stress, &square})
+      (*list)[s] /= count[s];
+    double const mean = profile.pressure[s];
+    if (s >= 2 && s < slices - 2) profile.scatter += std::sqrt(square[s] / (mean * mean) - 1) / (slices - 4);
+  }
+  return profile;
+}
+
+}  // namespace
+
+std::vector<std::string> FlowColumn::all_changes() const {
+  double const h = height / cells, width = 12 * h;
+  std::vector<std::string> all{fmt::format("/grid/spacing={}", h),
+                               fmt::format("/grid/periods=[{}, 0]", width),
+                               fmt::format("/gravity/slope_deg={}", slope),
+                               "/bodies/0/shape/min=[0, 0]",
+                               fmt::format("/bodies/0/shape/max=[{}, {}]", width, height),
+                               "/bodies/0/seeding/per_cell=12",
+                               "/bodies/0/velocity/origin=[0, 0]",
+                               fmt::format("/bodies/0/velocity/gradient=[[0, {}], [0, 0]]", gradient),
+                               R"(/materials/0/law/type="cam_clay_mu_i_two_stage")",
+                               R"(/transfer={"type": "apic"})",
+                               R"(/walls/0/contact={"type": "mirrored_stick"})",
+                               "/output/stations=[]"};
+  all.insert(all.end(), changes.begin(), changes.end());
+  return all;
+}
+
+std::vector<FlowProfile> profiles_of(std::string const& study, std::vector<std::string> const& changes,
+                                     std::vector<double> const& times, Cost& cost) {
+  std::string const file = std::string(studies) + "/" + study;
+  Document document = parse(io::read_file(file), file);
+  set_value(document, R"(/output/ledger={"type": "none"})");
+  for (std::string const& change : changes) set_value(document, change);
+  Composed const composed = program().compose(document);
+  Experiment& experiment = *composed.experiment;
+  auto const begun = std::chrono::steady_clock::now();
+  std::vector<FlowProfile> profiles;
+  for (double const t : times) {
+    while (experiment.time() < t) experiment.advance(t);
+    profiles.push_back(profile_of(experiment.state()));
+  }
+  cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  cost.steps += experiment.steps();
+  cost.particle_steps += double(experiment.steps()) * double(experiment.particles());
+  return profiles;
+}
+
+FlowProfile mean_of(std::vector<FlowProfile> const& profiles) {
+  FlowProfile mean;
+  double const share = 1.0 / double(profiles.size());
+  for (FlowProfile const& one : profiles) {
+    for (auto const list : {&FlowProfile::y, &FlowProfile::u, &FlowProfile::pressure, &FlowProfile::shear_stress,
+                            &FlowProfile::normal_stress})
+      for (std::size_t s = 0; s < slices; ++s) (mean.*list)[s] += share * (one.*list)[s];
+    mean.thickness += share * one.thickness;
+    mean.scatter += share * one.scatter;
+  }
+  return mean;
+}
+
+double profile_error(FlowProfile const& profile, std::vector<double> const& y, std::vector<double> const& u) {
+  double off = 0, all = 0;
+  for (std::size_t s = 0; s < slices; ++s) {
+    double const exact = reference::flow::interpolated(y, u, std::min(profile.y[s], y.back()));
+    off += (profile.u[s] - exact) * (profile.u[s] - exact);
+    all += exact * exact;
+  }
+  return std::sqrt(off / all);
+}
+
+std::vector<double> evenly(double from, double to, int n) {
+  std::vector<double> times;
+  for (int k = 0; k <= n; ++k) times.push_back(from + (to - from) * k / n);
+  return times;
+}
+
+}  // namespace talus::verification

@@ -1,0 +1,51 @@
+#pragma once
+/// Shipped documents of shear flow along x, with some things changed, and their profiles.
+
+#include <string>
+#include <vector>
+
+#include "verification/suite/findings.hpp"
+
+namespace talus::verification {
+
+inline constexpr int slices = 20;  ///< of a profile, of equal mass
+
+/// The periodic column of bagnold_column.json: h = 0.05 m, mu_2 = tan 40 deg, E = 1 MPa; here with the associated flow rule
+/// on a wall that mirrors, 12 cells wide. `changes`: what else is set, in the words of the document.
+struct FlowColumn {
+  std::string name;
+  int cells = 20;        ///< in the height
+  double slope = 28;     ///< [deg]
+  double gradient = 20;  ///< of the initial velocity [1/s]
+  std::vector<std::string> changes = {};
+
+  static constexpr double height = 0.05;  ///< unstrained [m]
+  static constexpr char const* study = "bagnold_column.json";
+  [[nodiscard]] std::vector<std::string> all_changes() const;
+};
+
+/// Means over slices of equal mass, from the lowest on. Stress is Kirchhoff stress.
+struct FlowProfile {
+  std::vector<double> y = std::vector<double>(slices), u = y;             ///< [m], [m/s]
+  std::vector<double> pressure = y, shear_stress = y, normal_stress = y;  ///< p, tau_xy, -tau_yy [Pa]
+  double thickness = 0;                                                   ///< twice the mean height [m]
+  double scatter = 0;  ///< standard deviation of p in a slice over its mean, mean of the inner slices [1]
+
+  /// Of the uppermost slice: 5 % of the mass [m/s].
+  [[nodiscard]] double surface() const { return u.back(); }
+};
+
+/// The profiles of a study's document with these changes at some times [s].
+[[nodiscard]] std::vector<FlowProfile> profiles_of(std::string const& study, std::vector<std::string> const& changes,
+                                                   std::vector<double> const& times, Cost& cost);
+
+[[nodiscard]] FlowProfile mean_of(std::vector<FlowProfile> const& profiles);
+
+/// sqrt(sum (u - u_exact)^2 / sum u_exact^2) over the slices at their heights, where y and u are the exact profile.
+[[nodiscard]] double profile_error(FlowProfile const& profile, std::vector<double> const& y,
+                                   std::vector<double> const& u);
+
+/// n + 1 times from `from` to `to`.
+[[nodiscard]] std::vector<double> evenly(double from, double to, int n);
+
+}  // namespace talus::verification
