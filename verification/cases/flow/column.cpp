@@ -52,7 +52,7 @@ void start_up(Findings& findings) {
   std::vector<double> const times{0.1, 0.2, 0.5, 1, 2};
   reference::flow::Motion const motion{glass_beads(40, 0),
                                        radians(28),
-                                       height,
+                                       FlowColumn::height,
                                        reference::flow::Motion::Volume::critical,
                                        [](double Y) { return 80 * Y; },
                                        false};
