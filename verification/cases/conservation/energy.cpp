@@ -1,6 +1,6 @@
 /// The ledger of energy and angular momentum closes in a scene in which everything happens: two plastic blocks collide
-/// in a box, and meet walls that stick, slip, let go, rub with a friction of their own or the material's, and move,
-/// under gravity and a body force that turns with time.
+/// in a box, and meet walls that stick, slip, let go, rub with a friction of their own or the material's, mirror, and
+/// move, under gravity and a body force that turns with time.
 ///
 ///   (K + E_e)' - (K + E_e) = gravity + body force + walls - plastic - transfer - stepping                         (1)
 ///
@@ -12,6 +12,8 @@
 
 #include "models/boundaries/contacts/coulomb.hpp"
 #include "models/boundaries/contacts/material_friction.hpp"
+#include "models/boundaries/contacts/mirrored_slip.hpp"
+#include "models/boundaries/contacts/mirrored_stick.hpp"
 #include "models/boundaries/contacts/separating.hpp"
 #include "models/boundaries/contacts/slip.hpp"
 #include "models/boundaries/contacts/stick.hpp"
@@ -60,6 +62,19 @@ void add_walls(Scene<D>& scene) {
   obstacle.max = {0.6, 0.1, 1};
   scene.walls.push_back(make_wall<D, Box, Stick, Fixed>("obstacle", obstacle, {}, {}));
   if constexpr (D == 3) scene.walls.push_back(make_wall<D, HalfSpace, Slip, Fixed>("back", back, {}, {}));
+}
+
+/// The same box of mirrors that meet at corners, the floor drawn along itself; on the right a wall that lets go.
+template <int D>
+void add_mirrors(Scene<D>& scene) {
+  using namespace wall;
+  HalfSpace::Parameters const floor{{0, 0, 0}, {0, 1, 0}}, left{{0, 0, 0}, {1, 0, 0}}, right{{1, 0, 0}, {-1, 0, 0}},
+      back{{0, 0, 0}, {0, 0, 1}};
+  scene.walls.push_back(
+      make_wall<D, HalfSpace, MirroredStick, Translation>("floor", floor, {}, {{0.6, 0, 0}, 0, 0.05}));
+  scene.walls.push_back(make_wall<D, HalfSpace, MirroredSlip, Fixed>("left", left, {}, {}));
+  scene.walls.push_back(make_wall<D, HalfSpace, Separating, Fixed>("right", right, {}, {}));
+  if constexpr (D == 3) scene.walls.push_back(make_wall<D, HalfSpace, MirroredSlip, Fixed>("back", back, {}, {}));
 }
 
 template <int D>
@@ -145,13 +160,14 @@ double momentum_left_over(Simulation<D> const& simulation) {
 }
 
 template <class Kinematics, class Material>
-void of(Findings& findings, Scheme const& scheme, long steps, std::string const& what) {
+void of(Findings& findings, Scheme const& scheme, long steps, std::string const& what,
+        void (*add)(Scene<Kinematics::dimension>&) = add_walls<Kinematics::dimension>) {
   constexpr int D = Kinematics::dimension;
   Scene<D> scene = scene_of<Kinematics, typename Material::Law>(scheme, h, density, Material::parameters(), true);
   scene.gravity = -9.81 * Point<D>::Unit(1);
   scene.keeps_ledger = true;
   scene.body_force = std::make_unique<Swirl<D>>();
-  add_walls(scene);
+  add(scene);
   set_step(scene, 2e-4);
   auto const simulation = begin(std::move(scene), two_blocks<D>());
   Cost cost;
@@ -176,6 +192,13 @@ void run(Findings& findings) {
       of<kinematics::PlaneStrain, Sand>(findings, scheme, 800, "sand, 2-D");
       if (scheme.degree() == 2) of<kinematics::PlaneStrain, Clay>(findings, scheme, 400, "clay, 2-D");
       if (scheme.degree() == 2) of<kinematics::Solid, Sand>(findings, scheme, 300, "sand, 3-D");
+    }
+  for (std::string const integrator : {"usl", "musl"})
+    for (Scheme const& scheme : all_schemes(integrator, 0.9)) {
+      if (scheme.degree() == 1) continue;
+      of<kinematics::PlaneStrain, Sand>(findings, scheme, 400, "sand between mirrors, 2-D", add_mirrors<2>);
+      if (scheme.degree() == 2)
+        of<kinematics::Solid, Sand>(findings, scheme, 200, "sand between mirrors, 3-D", add_mirrors<3>);
     }
   findings.omit(
       "linear", "momentum and angular momentum",
