@@ -26,6 +26,12 @@ def station(**members):
     return changed("/output/stations", [toe, {**toe, "name": "gate", **members}])
 
 
+def mirror(shape, **members):
+    """The dam break with a base that mirrors, of another shape."""
+    shape = {"type": "half_space", "point": [0.0, 0.0], "normal": [0.0, 1.0], **shape}
+    return changed("/walls/0", {"name": "base", "shape": shape, "contact": {"type": "mirrored_stick"}, **members})
+
+
 # name of the file: document, words that the message must hold (where, what was found, what is allowed)
 VALUES = {
     "unknown_key": (changed("/gravity/slope", 22), "/gravity/slope", "slope_deg"),
@@ -51,6 +57,12 @@ VALUES = {
     "unknown_measure": (changed("/expect", [{"measure": "centre_of_mas_x", "time": 0.05, "value": 0.1,
                                              "relative": 0.1, "because": "a typing error"}]),
                         "/expect/0/measure", "centre_of_mas_x", "centre_of_mass_x"),
+    "mirror_that_leans": (mirror({"normal": [0.1, 1.0]}), "/walls/0/shape", "base", "across an axis"),
+    "mirror_between_nodes": (mirror({"point": [0.0, 1e-3]}), "/walls/0/shape", "row of nodes", "multiple of the spacing"),
+    "mirror_that_comes_nearer": (mirror({}, motion={"type": "translation", "velocity": [0.0, 0.1]}), "/walls/0/shape",
+                                 "along itself"),
+    "mirror_that_is_bent": (changed("/walls/0", {"name": "base", "contact": {"type": "mirrored_slip"}, "shape": {
+        "type": "box", "min": [0.0, -1.0], "max": [1.0, 0.0]}}), "/walls/0/contact", "half_space", "box"),
     "station_turned_over": (station(max=[0.1, -0.1]), "/output/stations/1/max/1", "-0.1", "0.0"),
     "station_named_twice": (station(name="toe"), "/output/stations/1/name", "toe", "twice"),
     "station_named_as_a_path": (station(name="../toe"), "/output/stations/1/name", "../toe", "letter"),

@@ -5,9 +5,10 @@
 /// the kinetic energy falls, all velocities are set to zero, until a push no longer moves anything. What is measured is
 /// how far that equilibrium is from the exact one. Spacing and particles are refined together.
 ///
-/// "mirrored": two columns foot to foot, pulled towards the middle. That has no wall. "on a wall": one column on a slip
+/// "on its twin": two columns foot to foot, pulled towards the middle. That has no wall. "on a wall": one column on a slip
 /// wall at a node; kernels reach below it, where there are no particles, so that the first node above it feels the
-/// stress at the wall without its counterpart: an error of order 1 in h that stays near the wall.
+/// stress at the wall without its counterpart: an error of order 1 in h that stays near the wall. "on a mirror": the wall
+/// puts the images there (core/mirror.hpp), and the column is as good as with its twin.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// Work and precision on the column of elastic/geostatic, on a wall: every scheme, 2 to 8 particles a cell.
+/// Work and precision on the column of elastic/geostatic, on a wall that mirrors: every scheme, 2 to 8 particles a cell.
 
 #include "verification/suite/cases.hpp"
 #include "verification/suite/resting_column.hpp"
@@ -14,7 +14,7 @@ double const largest = column_on_foot.height - column_on_foot.place(column_on_fo
 void run(Findings& findings) {
   Problem const problem{"geostatic column", "settlement over the largest",
                         [](Scheme const& scheme, int n, int N, Cost& cost) {
-                          Measured const found = solved_column(scheme, N, n, Foot::wall);
+                          Measured const found = solved_column(scheme, N, n, Foot::mirror);
                           cost += found.cost;
                           return found.errors[0] * column_on_foot.height / largest;
                         }};
