@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "verification/suite/findings.hpp"
+#include "verification/suite/scheme.hpp"
 
 namespace talus::verification {
 
 inline constexpr int slices = 20;  ///< of a profile, of equal mass
 
 /// The periodic column of bagnold_column.json: h = 0.05 m, mu_2 = tan 40 deg, E = 1 MPa; here with the associated flow rule
-/// on a wall that mirrors, 12 cells wide. `changes`: what else is set, in the words of the document.
+/// on a wall that mirrors, particles on a lattice, 12 cells wide. `changes`: what else is set, in the words of the document.
 struct FlowColumn {
   std::string name;
   int cells = 20;        ///< in the height
@@ -38,6 +39,19 @@ struct FlowProfile {
 /// The profiles of a study's document with these changes at some times [s].
 [[nodiscard]] std::vector<FlowProfile> profiles_of(std::string const& study, std::vector<std::string> const& changes,
                                                    std::vector<double> const& times, Cost& cost);
+
+/// The column of FlowColumn on a slope [rad], begun at rest across the slope: each particle where the compressible layer
+/// has it, with the elastic strain and the strength of its pressure at critical state, without shear stress. (Documents
+/// begin without stress: the layer then falls by 3 % of its height and bounces for a second.)
+struct SettledColumn {
+  double slope;       ///< [rad]
+  double gradient;    ///< of the initial speed by the unstrained height [1/s]
+  double mu_1, mu_2;  ///< friction
+  int cells = 20;     ///< in the height
+  Scheme scheme = {"quadratic", "apic"};
+};
+[[nodiscard]] std::vector<FlowProfile> profiles_of(SettledColumn const& column, std::vector<double> const& times,
+                                                   Cost& cost);
 
 [[nodiscard]] FlowProfile mean_of(std::vector<FlowProfile> const& profiles);
 

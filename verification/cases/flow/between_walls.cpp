@@ -19,7 +19,7 @@ using namespace reference::flow;
 
 std::vector<std::string> const changes{R"(/materials/0/law/type="cam_clay_mu_i_two_stage")",
                                        R"(/transfer={"type": "apic"})",
-                                       "/bodies/0/seeding/per_cell=12",
+                                       R"(/bodies/0/seeding={"type": "lattice", "per_axis": 3})",
                                        R"(/walls/0/contact={"type": "mirrored_stick"})",
                                        R"(/walls/1/contact={"type": "mirrored_stick"})",
                                        "/output/stations=[]",

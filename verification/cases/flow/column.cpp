@@ -58,8 +58,7 @@ void start_up(Findings& findings) {
                                        false};
   auto const exact = extrapolated_motion(motion, 100, times, 1e-9);
   Cost cost;
-  auto const flows =
-      profiles_of(FlowColumn::study, FlowColumn{.name = "start-up", .gradient = 80}.all_changes(), times, cost);
+  auto const flows = profiles_of(SettledColumn{radians(28), 80, tangent(20.9), tangent(40)}, times, cost);
   Plot plot{"Column on 28 degrees from 4 m/s: u over y", "y [m]", "u [m/s]"};
   for (std::size_t k = 0; k < times.size(); ++k) {
     findings.check("start-up, h/20", fmt::format("error of the profile at {} s", times[k]),
@@ -93,19 +92,25 @@ FlowProfile steady(Findings& findings, FlowColumn const& column, double asked, s
 /// One thing at a time.
 std::vector<FlowColumn> variants() {
   auto const law = [](std::string const& type) { return fmt::format(R"(/materials/0/law/type="{}")", type); };
+  auto const disordered = [](int per_cell) {
+    return fmt::format(R"(/bodies/0/seeding={{"type": "poisson_disk", "per_cell": {}, "seed": 42}})", per_cell);
+  };
   return {{.name = "flow rule of the published runs", .changes = {law("cam_clay_mu_i_two_stage_hardening_flow")}},
           {.name = "coupled map", .changes = {law("cam_clay_mu_i_consistent")}},
           {.name = "wall at nodes only", .changes = {R"(/walls/0/contact={"type": "stick"})"}},
           {.name = "AFLIP 0.95", .changes = {R"(/transfer={"type": "aflip", "alpha": 0.95})"}},
           {.name = "cubic kernel", .changes = {R"(/kernel={"type": "cubic"})"}},
           {.name = "MUSL", .changes = {R"(/integrator={"type": "musl"})"}},
-          {.name = "6 particles a cell", .changes = {"/bodies/0/seeding/per_cell=6"}},
-          {.name = "24 particles a cell", .changes = {"/bodies/0/seeding/per_cell=24"}},
+          {.name = "4 particles a cell", .changes = {R"(/bodies/0/seeding/per_axis=2)"}},
+          {.name = "16 particles a cell", .changes = {R"(/bodies/0/seeding/per_axis=4)"}},
           {.name = "half the step", .changes = {"/time/safety=0.4"}},
-          {.name = "on a lattice, 9 a cell", .changes = {R"(/bodies/0/seeding={"type": "lattice", "per_axis": 3})"}},
+          {.name = "disordered, 6 a cell", .changes = {disordered(6)}},
+          {.name = "disordered, 12 a cell", .changes = {disordered(12)}},
+          {.name = "disordered, 24 a cell", .changes = {disordered(24)}},
+          {.name = "disordered, cubic kernel", .changes = {disordered(12), R"(/kernel={"type": "cubic"})"}},
           {.name = "as published",
-           .changes = {law("cam_clay_mu_i_two_stage_hardening_flow"), R"(/walls/0/contact={"type": "stick"})",
-                       R"(/transfer={"type": "aflip", "alpha": 0.95})"}}};
+           .changes = {law("cam_clay_mu_i_two_stage_hardening_flow"), disordered(20),
+                       R"(/walls/0/contact={"type": "stick"})", R"(/transfer={"type": "aflip", "alpha": 0.95})"}}};
 }
 
 void run(Findings& findings) {
