@@ -34,21 +34,23 @@ NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, dou
   for (std::size_t k = 0; k < candidates; ++k) {
     int const w = far ? static_cast<int>(k) : near.walls[k];
     Wall<D> const& wall = *scene_.walls[static_cast<std::size_t>(w)];
-    double nearest = far_away;
-    auto const touch = [&](Point<D> const& place, double when) {
+    double nearest = far_away;  // of the faces that the node does not touch
+    auto const touch = [&](Point<D> const& place, double when, double slack) {
       int const faces = wall.surfaces(place, when, surfaces);
       for (int s = 0; s < faces && count < most_touches; ++s) {
         Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)];
-        nearest = std::min(nearest, surface.distance);
-        if (surface.distance <= 0)
+        if (!(surface.distance <= slack))
+          nearest = std::min(nearest, surface.distance);
+        else
           touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
                               wall.contact.material_friction ? friction : wall.contact.friction, w};
       }
     };
-    touch(x, t + dt);
-    // what pulls as well does not let a node go that it has
-    if (nearest > 0 && wall.contact.holds() && nearest <= dt * (v - wall.velocity(t + dt)).norm())
-      touch(node_from(near.corner, n), t);
+    touch(x, t + dt, 0);
+    // what pulls as well does not let a node go that it has, and a node on it to rounding it has
+    double const rounding = 1e-9 * scene_.spacing;
+    if (wall.contact.holds() && nearest <= dt * (v - wall.velocity(t + dt)).norm() + rounding)
+      touch(node_from(near.corner, n), t, rounding);
   }
   if (count == 0) return velocity;
   v = resolve<D>(std::span(touches.data(), count), v, std::span(changes.data(), count));

@@ -53,6 +53,8 @@ template <int D>
   if (count != 1 || largest != 1) refuse("its normal along the axis");
   plane.side = n[plane.axis] > 0 ? 1 : -1;
   double const place = -faces[0].distance * plane.side / spacing, row = std::round(place);
+  if (!(std::abs(row) < 4.0 * farthest_block))
+    refuse("in reach of the grid; it lies at " + std::to_string(place) + " spacings");
   if (!(std::abs(place - row) <= 1e-9 * std::max(1.0, std::abs(row))))
     refuse("a multiple of the spacing from the origin; it lies at " + std::to_string(place) + " spacings");
   if (later[0].distance != faces[0].distance) refuse("and may move along itself only");

@@ -83,7 +83,13 @@ void check_mirror(Case const& document, std::size_t k, Mistakes& wrong) {
     entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
       if constexpr (std::is_same_v<S, wall::HalfSpace>) try {
           auto const wall = make_wall<D, S, wall::Stick, M>(entry.name, shape, {}, motion);
-          (void)mirror_plane<D>(*wall, document.grid.spacing);
+          int const axis = mirror_plane<D>(*wall, document.grid.spacing).axis;
+          auto const& periods = document.grid.periods;
+          if (static_cast<std::size_t>(axis) < periods.size() && periods[static_cast<std::size_t>(axis)] > 0)
+            wrong.push_back(
+                at("walls", k, "contact") +
+                ": a wall across an axis that repeats has no space behind it for images; take stick or slip, or "
+                "set the period to 0");
         } catch (InputError const& error) {
           wrong.push_back(at("walls", k, "shape") + ": " + error.what());
         }

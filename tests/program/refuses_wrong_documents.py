@@ -61,6 +61,7 @@ VALUES = {
     "mirror_between_nodes": (mirror({"point": [0.0, 1e-3]}), "/walls/0/shape", "row of nodes", "multiple of the spacing"),
     "mirror_that_comes_nearer": (mirror({}, motion={"type": "translation", "velocity": [0.0, 0.1]}), "/walls/0/shape",
                                  "along itself"),
+    "mirror_across_a_period": (changed("/grid/periods", [0, 0.8], mirror({})), "/walls/0/contact", "repeats"),
     "mirror_that_is_bent": (changed("/walls/0", {"name": "base", "contact": {"type": "mirrored_slip"}, "shape": {
         "type": "box", "min": [0.0, -1.0], "max": [1.0, 0.0]}}), "/walls/0/contact", "half_space", "box"),
     "station_turned_over": (station(max=[0.1, -0.1]), "/output/stations/1/max/1", "-0.1", "0.0"),

@@ -84,12 +84,21 @@ std::string lost_of(Comparison const& against) {
   return text;
 }
 
+/// ", commit 0123456789", and whether anything was changed since; nothing where git does not tell.
+std::string commit_of(nlohmann::json const& build) {
+  auto const git = build.find("git");
+  if (git == build.end() || !git->is_object() || !git->contains("commit")) return "";
+  bool const changed = git->value("dirty", false);
+  return ", commit " + git->at("commit").get<std::string>().substr(0, 10) + (changed ? " with changes" : "");
+}
+
 }  // namespace
 
 std::string markdown_of(Report const& report) {
   auto const& build = report.provenance.at("build");
-  auto text = fmt::format("# Verification\n\nMade by `talus verify`, version {}, {}, {}. {}.\n\n",
-                          report.provenance.at("version").get<std::string>(), build.at("compiler").get<std::string>(),
+  auto text = fmt::format("# Verification\n\nMade by `talus verify`, version {}{}, {}, {}. {}.\n\n",
+                          report.provenance.at("version").get<std::string>(), commit_of(build),
+                          build.at("compiler").get<std::string>(),
                           report.provenance.at("machine").at("cpu").get<std::string>(), totals_text(report));
   text +=
       "Verdicts: *pass*, *fail*; *floored*: an order was asked for where the error no longer falls; *omitted*: not "

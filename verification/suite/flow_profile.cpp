@@ -137,7 +137,6 @@ std::vector<std::string> FlowColumn::all_changes() const {
                                "/bodies/0/velocity/origin=[0, 0]",
                                fmt::format("/bodies/0/velocity/gradient=[[0, {}], [0, 0]]", gradient),
                                R"(/materials/0/law/type="cam_clay_mu_i_two_stage")",
-                               R"(/transfer={"type": "apic"})",
                                R"(/walls/0/contact={"type": "mirrored_stick"})",
                                "/output/stations=[]"};
   all.insert(all.end(), changes.begin(), changes.end());

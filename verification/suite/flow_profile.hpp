@@ -48,7 +48,7 @@ struct SettledColumn {
   double gradient;    ///< of the initial speed by the unstrained height [1/s]
   double mu_1, mu_2;  ///< friction
   int cells = 20;     ///< in the height
-  Scheme scheme = {"quadratic", "apic"};
+  Scheme scheme = {"quadratic", "aflip", "usl", 0.95};
 };
 [[nodiscard]] std::vector<FlowProfile> profiles_of(SettledColumn const& column, std::vector<double> const& times,
                                                    Cost& cost);
