@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "core/cli/exit_codes.hpp"
@@ -125,12 +127,20 @@ int verify(Arguments const& a) {
     return cli::done;
   }
   if (!a.folder.empty()) io::make_folder(a.folder, a.force ? "" : "results.json");
-  if (!a.against.empty()) (void)compare_with({}, a.against);  // what cannot be compared is told before all the work
+  // what cannot be written or compared is told before all the work
+  if (!a.markdown.empty()) {
+    std::filesystem::path const folder = std::filesystem::absolute(a.markdown).parent_path();
+    if (!std::filesystem::is_directory(folder))
+      throw FileError(folder.string() + ": there is no such folder for " + a.markdown);
+  }
+  if (!a.against.empty()) (void)compare_with({}, a.against);
   Report report = run(cases, a);
   if (!a.against.empty()) report.against = compare_with(report.results, a.against);
+  // first to the reader: the disk may be full
+  fmt::print("{}", a.json ? io::json_text(document_of(report)) : text_of(report, a.verbose, in_colour()));
+  std::fflush(stdout);
   if (!a.folder.empty()) write_folder(a.folder, report);
   if (!a.markdown.empty()) io::write_atomically(a.markdown, markdown_of(report));
-  fmt::print("{}", a.json ? io::json_text(document_of(report)) : text_of(report, a.verbose, in_colour()));
   if (!a.folder.empty() && !a.quiet) fmt::print(stderr, "results in {}\n", a.folder);
   return is_green(totals(report.results)) ? cli::done : cli::expectation_failed;
 }
