@@ -92,8 +92,9 @@ std::vector<Seed<2>> settled_seeds(SettledColumn const& column, reference::flow:
   for (std::size_t k = 0; k < Y.size(); ++k) {
     Seed<2> seed;
     seed.x = {lattice_places[k][0], at[k].y};
-    seed.v = {column.gradient * Y[k], 0};
-    seed.C(0, 1) = column.gradient / at[k].stretch;
+    double const half = 0.25 * h;  // of the affine velocity's reach
+    seed.v = {column.speed(Y[k]), 0};
+    seed.C(0, 1) = (column.speed(Y[k] + half) - column.speed(Y[k] - half)) / (2 * half * at[k].stretch);
     seed.mass = fluid.density * h * h / 9;
     double const each = -at[k].p / (2 * fluid.elastic.K());
     seed.strain = {each, each, 0};

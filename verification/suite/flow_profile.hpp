@@ -1,6 +1,7 @@
 #pragma once
 /// Shipped documents of shear flow along x, with some things changed, and their profiles.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,10 @@ struct FlowProfile {
 /// has it, with the elastic strain and the strength of its pressure at critical state, without shear stress. (Documents
 /// begin without stress: the layer then falls by 3 % of its height and bounces for a second.)
 struct SettledColumn {
-  double slope;       ///< [rad]
-  double gradient;    ///< of the initial speed by the unstrained height [1/s]
-  double mu_1, mu_2;  ///< friction
-  int cells = 20;     ///< in the height
+  double slope;                         ///< [rad]
+  std::function<double(double)> speed;  ///< the initial one, of the unstrained height [m/s]
+  double mu_1, mu_2;                    ///< friction
+  int cells = 20;                       ///< in the height
   Scheme scheme = {"quadratic", "aflip", "usl", 0.95};
 };
 [[nodiscard]] std::vector<FlowProfile> profiles_of(SettledColumn const& column, std::vector<double> const& times,

@@ -21,7 +21,7 @@ constexpr double top_speed = 4;  // U [m/s]
 
 SettledColumn column_of(double angle) {
   double const mu = reference::flow::tangent(angle);
-  return {reference::flow::radians(28), top_speed / FlowColumn::height, mu, mu};
+  return {reference::flow::radians(28), [](double Y) { return top_speed * Y / FlowColumn::height; }, mu, mu};
 }
 
 double acceleration(double angle) {
