@@ -168,7 +168,7 @@ void run(Findings& findings) {
   plot.curves.push_back({"exact", exact.y, exact.u, true});
   findings.plots.push_back(plot);
   for (double const slope : {23.0, 24.0, 26.0, 30.0, 32.0})
-    (void)steady(findings, settled(fmt::format("steady, {} deg, h/20", slope), slope, 20), 0, "2 %");
+    (void)steady(findings, settled(fmt::format("steady, {} deg, h/20", slope), slope, 20), 0.02, "2 % at h/20");
 }
 
 }  // namespace
