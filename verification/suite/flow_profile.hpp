@@ -1,12 +1,11 @@
 #pragma once
 /// Shipped documents of shear flow along x, with some things changed, and their profiles.
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "verification/reference/materials.hpp"
 #include "verification/suite/findings.hpp"
-#include "verification/suite/scheme.hpp"
 
 namespace talus::verification {
 
@@ -31,28 +30,24 @@ struct FlowProfile {
   std::vector<double> y = std::vector<double>(slices), u = y;             ///< [m], [m/s]
   std::vector<double> pressure = y, shear_stress = y, normal_stress = y;  ///< p, tau_xy, -tau_yy [Pa]
   double thickness = 0;                                                   ///< twice the mean height [m]
+  double stretch = 0;                                                     ///< volume over unstrained volume, J [1]
   double scatter = 0;  ///< standard deviation of p in a slice over its mean, mean of the inner slices [1]
 
   /// Of the uppermost slice: 5 % of the mass [m/s].
   [[nodiscard]] double surface() const { return u.back(); }
+  /// Mobilised by the layer as a whole: shear stress over pressure [1].
+  [[nodiscard]] double friction() const;
 };
 
-/// The profiles of a study's document with these changes at some times [s].
+/// A particle as far as a profile needs it: place [m], speed [m/s], elastic strain, plastic volumetric strain.
+struct FlowSample {
+  double y, u, eps_xx, eps_yy, eps_xy, eps_V;
+};
+[[nodiscard]] FlowProfile profile_of(std::vector<FlowSample> samples, reference::Elasticity const& elastic);
+
+/// The profiles of a study's document with these changes at some times [s]; E = 1 MPa, nu = 0.3.
 [[nodiscard]] std::vector<FlowProfile> profiles_of(std::string const& study, std::vector<std::string> const& changes,
                                                    std::vector<double> const& times, Cost& cost);
-
-/// The column of FlowColumn on a slope [rad], begun at rest across the slope: each particle where the compressible layer
-/// has it, with the elastic strain and the strength of its pressure at critical state, without shear stress. (Documents
-/// begin without stress: the layer then falls by 3 % of its height and bounces for a second.)
-struct SettledColumn {
-  double slope;                         ///< [rad]
-  std::function<double(double)> speed;  ///< the initial one, of the unstrained height [m/s]
-  double mu_1, mu_2;                    ///< friction
-  int cells = 20;                       ///< in the height
-  Scheme scheme = {"quadratic", "aflip", "usl", 0.95};
-};
-[[nodiscard]] std::vector<FlowProfile> profiles_of(SettledColumn const& column, std::vector<double> const& times,
-                                                   Cost& cost);
 
 [[nodiscard]] FlowProfile mean_of(std::vector<FlowProfile> const& profiles);
 

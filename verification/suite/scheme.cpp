@@ -27,9 +27,12 @@ void with_named(TypeList<P...> list, std::string const& name, F const& f) {
 
 }  // namespace
 
+std::string Scheme::transfer_name() const {
+  return alpha == 1 ? transfer : fmt::format("{} {}", transfer, alpha);
+}
+
 std::string Scheme::name() const {
-  std::string text = kernel + ", " + transfer;
-  if (alpha != 1) text += fmt::format(" {}", alpha);
+  std::string const text = kernel + ", " + transfer_name();
   return integrator == "usl" ? text : text + ", " + integrator;
 }
 

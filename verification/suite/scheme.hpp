@@ -14,6 +14,8 @@ struct Scheme {
   std::string kernel = "quadratic", transfer = "apic", integrator = "usl";
   double alpha = 1;
 
+  /// "apic"; alpha where it is not 1.
+  [[nodiscard]] std::string transfer_name() const;
   /// "quadratic, apic"; alpha where it is not 1, the integrator where it is not usl.
   [[nodiscard]] std::string name() const;
   /// Degree of the kernel: 1, 2, 3.

@@ -4,6 +4,8 @@
 ///
 /// Source: GDR MiDi (2004), doi:10.1140/epje/i2003-10153-0; verification/reference/flow/confined.hpp.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numeric>
 
@@ -47,18 +49,28 @@ void plane_shear(Findings& findings) {
                             {Curve{"slices", flow.y, flow.u}, Curve{"exact", {0, gap}, {0, speed}, true}}});
 }
 
-void chute(Findings& findings) {
+/// The plate's load is what the pressure found leaves over at the plate.
+void plate_on_bed(Findings& findings) {
+  constexpr double speed = 0.5, gap = 0.05;
+  Fluid const fluid = glass_beads(40, 0);
   Cost cost;
-  FlowProfile const flow = mean_of(profiles_of("vertical_chute.json", changes, evenly(2, 2.5, 20), cost));
-  VerticalChute const exact{glass_beads(40, 0), inner_mean(flow.normal_stress), 0.02};
-  findings.note("vertical chute", "speed of the plug over that of the pressure found",
-                flow.u[slices / 2] / exact.speed(0), "16 cells across", cost);
+  FlowProfile const flow = mean_of(profiles_of("plane_shear_gravity.json", changes, evenly(3, 4, 20), cost));
+  double load = 0;
+  for (std::size_t s = 2; s < slices - 2; ++s)
+    load += (flow.normal_stress[s] - fluid.density * gravity * (gap - flow.y[s])) / (slices - 4);
+  PlateOnBed const exact{fluid, load};
+  double const T = exact.shear_stress(speed), depth = exact.depth(T);
+  findings.check("plane shear with gravity", "shear stress over that of the load found",
+                 inner_mean(flow.shear_stress) / T, about(1, 0.02), "2 %", cost);
+  ShearFlow const sheared = exact.flow(T);
   std::vector<double> y, u;
-  for (double const at : evenly(-exact.half_width, exact.half_width, 200)) {
+  for (double const at : evenly(0, gap, 200)) {
     y.push_back(at);
-    u.push_back(exact.speed(std::abs(at)));
+    u.push_back(gap - at < depth ? speed_by_quadrature(sheared, gap - at) : 0);
   }
-  findings.plots.push_back({"Vertical chute: u over y",
+  findings.check("plane shear with gravity", "error of the profile", profile_error(flow, y, u), at_most(0.05), "5 %");
+  findings.note("plane shear with gravity", "exact depth of the flow over the gap", depth / gap);
+  findings.plots.push_back({"Plane shear with gravity: u over y",
                             "y [m]",
                             "u [m/s]",
                             false,
@@ -66,8 +78,36 @@ void chute(Findings& findings) {
                             {Curve{"slices", flow.y, flow.u}, Curve{"exact", y, u, true}}});
 }
 
+/// Its shear zones are an eighth of the gap each.
+void chute(Findings& findings) {
+  Plot plot{"Vertical chute: u over y", "y [m]", "u [m/s]"};
+  for (int const cells : {16, 32, 64}) {
+    double const width = 0.04, h = width / cells;
+    auto finer = changes;
+    for (std::string const& change : {fmt::format("/grid/spacing={}", h), fmt::format("/grid/periods=[{}, 0]", 8 * h),
+                                      fmt::format("/bodies/0/shape/max=[{}, {}]", 8 * h, width / 2)})
+      finer.push_back(change);
+    Cost cost;
+    FlowProfile const flow = mean_of(profiles_of("vertical_chute.json", finer, evenly(1.5, 2, 10), cost));
+    VerticalChute const exact{glass_beads(40, 0), inner_mean(flow.normal_stress), width / 2};
+    findings.note("vertical chute",
+                  fmt::format("speed of the plug over that of the pressure found, {} cells across", cells),
+                  flow.u[slices / 2] / exact.speed(0), "", cost);
+    plot.curves.push_back({fmt::format("{} cells", cells), flow.y, flow.u});
+    if (cells < 64) continue;
+    std::vector<double> y, u;
+    for (double const at : evenly(-exact.half_width, exact.half_width, 200)) {
+      y.push_back(at);
+      u.push_back(exact.speed(std::abs(at)));
+    }
+    plot.curves.push_back({"exact", y, u, true});
+  }
+  findings.plots.push_back(plot);
+}
+
 void run(Findings& findings) {
   plane_shear(findings);
+  plate_on_bed(findings);
   chute(findings);
 }
 

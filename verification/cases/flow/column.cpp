@@ -12,42 +12,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "verification/reference/flow/compressible_layer.hpp"
 #include "verification/reference/flow/motion.hpp"
 #include "verification/suite/cases.hpp"
-#include "verification/suite/flow_profile.hpp"
+#include "verification/suite/settled_column.hpp"
 
 namespace talus::verification {
 
 namespace {
 
 using namespace reference::flow;
-
-/// The steady layer on a slope: heights, speeds; and the speed of its uppermost 5 %.
-struct Steady {
-  static constexpr int places = 2000;
-  std::vector<double> y, u;
-  double surface = 0, thickness = 0;
-
-  explicit Steady(double slope) {
-    CompressibleLayer const layer{glass_beads(40, 0), radians(slope), FlowColumn::height};
-    std::vector<double> Y;
-    for (int k = 0; k < places; ++k) Y.push_back(FlowColumn::height * (k + 0.5) / places);
-    auto const profile = profile_by_quadrature(layer, Y);
-    for (auto const& at : profile.at) {
-      y.push_back(at.y);
-      u.push_back(at.u);
-      thickness += 2 * at.y / places;
-    }
-    y.push_back(profile.h);
-    u.push_back(profile.surface_speed);
-    surface = std::accumulate(u.end() - 1 - places / 20, u.end() - 1, 0.0) / (places / 20);
-  }
-};
 
 void start_up(Findings& findings) {
   std::vector<double> const times{0.1, 0.2, 0.5, 1, 2};
@@ -59,8 +34,7 @@ void start_up(Findings& findings) {
                                        false};
   auto const exact = extrapolated_motion(motion, 100, times, 1e-9);
   Cost cost;
-  auto const flows =
-      profiles_of(SettledColumn{radians(28), [](double Y) { return 80 * Y; }, tangent(20.9), tangent(40)}, times, cost);
+  auto const flows = profiles_of(SettledColumn{bead_layer(28), [](double Y) { return 80 * Y; }}, times, cost);
   Plot plot{"Column on 28 degrees from 4 m/s: u over y", "y [m]", "u [m/s]"};
   for (std::size_t k = 0; k < times.size(); ++k) {
     findings.check("start-up, h/20", fmt::format("error of the profile at {} s", times[k]),
@@ -84,7 +58,7 @@ std::vector<double> const steady_times = evenly(2, 3, 20);
 
 /// Begun with the exact surface speed, everything else as the document has it.
 Ended of_document(FlowColumn column) {
-  column.gradient = Steady(column.slope).surface / FlowColumn::height;
+  column.gradient = SteadyLayer(bead_layer(column.slope)).surface / FlowColumn::height;
   Ended ended{column.name, column.slope, {}};
   ended.flow = mean_of(profiles_of(FlowColumn::study, column.all_changes(), steady_times, ended.cost));
   return ended;
@@ -92,28 +66,25 @@ Ended of_document(FlowColumn column) {
 
 /// The same begun as the exact layer.
 Ended settled(std::string const& name, double slope, int cells) {
-  Steady const exact(slope);
-  double const top = FlowColumn::height;
-  auto const speed = [&](double Y) {
-    double const place = std::clamp(Y / top * Steady::places - 0.5, 0.0, Steady::places - 1.0);
-    auto const k = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(Steady::places - 2));
-    return exact.u[k] + (place - double(k)) * (exact.u[k + 1] - exact.u[k]);
-  };
+  auto const layer = bead_layer(slope);
   Ended ended{name, slope, {}};
-  ended.flow =
-      mean_of(profiles_of({radians(slope), speed, tangent(20.9), tangent(40), cells}, steady_times, ended.cost));
+  ended.flow = mean_of(profiles_of(steady_column(layer, SteadyLayer(layer), cells), steady_times, ended.cost));
   return ended;
 }
 
 /// The rows of one steady column; asked: the bar on surface and profile, or 0.
 FlowProfile steady(Findings& findings, Ended const& column, double asked, std::string const& because) {
-  Steady const exact(column.slope);
+  SteadyLayer const exact(bead_layer(column.slope));
   FlowProfile const& flow = column.flow;
   Cost const& cost = column.cost;
   double const surface = flow.surface() / exact.surface - 1, profile = profile_error(flow, exact.y, exact.u);
   if (asked > 0) {
     findings.check(column.name, "|error of the surface speed|", std::abs(surface), at_most(asked), because, cost);
     findings.check(column.name, "error of the profile", profile, at_most(asked), because);
+    findings.check(column.name, "mean friction over tan(slope)", flow.friction() / tangent(column.slope),
+                   about(1, 0.005), "0.5 %; Kirchhoff stress, by mass");
+    findings.check(column.name, "mean solid fraction over the exact one",
+                   glass_beads(40, 0).solid_fraction() / flow.stretch / exact.solid_fraction, about(1, 0.005), "0.5 %");
   } else {
     findings.note(column.name, "error of the surface speed", surface, because, cost);
     findings.note(column.name, "error of the profile", profile, because);
@@ -164,7 +135,7 @@ void run(Findings& findings) {
     FlowProfile const flow = steady(findings, of_document(column), 0, "a cause, h/20");
     if (column.name == "as published") plot.curves.push_back({column.name, flow.y, flow.u});
   }
-  Steady const exact(28);
+  SteadyLayer const exact(bead_layer(28));
   plot.curves.push_back({"exact", exact.y, exact.u, true});
   findings.plots.push_back(plot);
   for (double const slope : {23.0, 24.0, 26.0, 30.0, 32.0})

@@ -11,7 +11,7 @@
 
 #include "verification/reference/flow/fluid.hpp"
 #include "verification/suite/cases.hpp"
-#include "verification/suite/flow_profile.hpp"
+#include "verification/suite/settled_column.hpp"
 
 namespace talus::verification {
 
@@ -21,7 +21,9 @@ constexpr double top_speed = 4;  // U [m/s]
 
 SettledColumn column_of(double angle) {
   double const mu = reference::flow::tangent(angle);
-  return {reference::flow::radians(28), [](double Y) { return top_speed * Y / FlowColumn::height; }, mu, mu};
+  SettledColumn column{bead_layer(28), [](double Y) { return top_speed * Y / FlowColumn::height; }};
+  column.layer.layer.fluid.friction.mu_1 = column.layer.layer.fluid.friction.mu_2 = mu;
+  return column;
 }
 
 double acceleration(double angle) {

@@ -6,6 +6,7 @@
 
 #include "verification/reference/flow/compressible_layer.hpp"
 #include "verification/reference/flow/layer.hpp"
+#include "verification/reference/flow/plugged_layer.hpp"
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
@@ -72,6 +73,29 @@ double distance(CompressibleProfile const& a, CompressibleProfile const& b) {
   return most;
 }
 
+/// The compressible layer with a plug: three ways; and against what it becomes without change of volume, and without plug.
+void compressible_plug(Findings& findings, double beta, double kept) {
+  CompressiblePluggedLayer const layer{{glass_beads(40, beta), radians(32), 0.05}, kept};
+  std::string const name = fmt::format("compressible, beta {}, {} Pa kept, 32 degrees", beta, kept);
+  double const expected = layer.speed(speed_by_quadrature, 0.05);
+  agree(findings, name, "plug's speed by CVODE from quadrature", apart(layer.speed(speed_by_cvode, 0.05), expected),
+        bar);
+  agree(findings, name, "plug's speed by KINSOL from quadrature", apart(layer.speed(speed_by_kinsol, 0.05), expected),
+        bar);
+  CompressiblePluggedLayer stiff = layer;
+  stiff.layer.fluid.elastic.E = 1e16, stiff.layer.fluid.hardening.xi = 1e12;
+  PluggedLayer const rigid{{stiff.layer.fluid, radians(32), 0.05}, kept};
+  double const below_plug = bagnold_speed(rigid.layer, 0.05 - rigid.plug_depth());
+  agree(findings, name, "plug's speed from Bagnold's, xi = 1e12, E = 1e16 Pa",
+        apart(stiff.speed(speed_by_quadrature, 0.05), below_plug), bar);
+  CompressiblePluggedLayer const loose{layer.layer, 0};
+  auto const closed = small_shear_profile(layer.layer, {0.03});
+  agree(findings, name, "u and y without plug from closed form",
+        std::max(apart(loose.speed(speed_by_quadrature, 0.03), closed.at[0].u),
+                 apart(loose.height(0.03), closed.at[0].y)),
+        bar);
+}
+
 Curve curve(std::string name, CompressibleProfile const& profile, bool guide) {
   Curve curve{std::move(name), {}, {}, guide};
   for (auto const& place : profile.at) curve.x.push_back(place.u), curve.y.push_back(place.y);
@@ -117,6 +141,7 @@ void run(Findings& findings) {
   cohesion(findings);
   for (double const beta : {0.0, 0.1, 0.2})
     for (double const kept : {100.0, 400.0}) plug(findings, beta, kept);
+  for (double const beta : {0.0, 0.1, 0.2}) compressible_plug(findings, beta, 200);
   compressible(findings, "24 degrees", {glass_beads(32.76, 0), radians(24), 0.028}, false);
   compressible(findings, "28 degrees", {glass_beads(40, 0), radians(28), 0.05}, true);
   compressible(findings, "32 degrees, beta 0.1", {glass_beads(40, 0.1), radians(32), 0.05}, false);
