@@ -16,6 +16,7 @@
 
 #include "verification/reference/flow/motion.hpp"
 #include "verification/suite/cases.hpp"
+#include "verification/suite/order.hpp"
 #include "verification/suite/settled_column.hpp"
 
 namespace talus::verification {
@@ -125,17 +126,22 @@ std::vector<FlowColumn> variants() {
 void run(Findings& findings) {
   start_up(findings);
   Plot plot{"Steady column on 28 degrees: u over y", "y [m]", "u [m/s]"};
+  SteadyLayer const exact(bead_layer(28));
+  std::vector<double> spacings, errors;
   for (int const cells : {10, 20, 40}) {
     Ended const column = settled(fmt::format("steady, h/{}", cells), 28, cells);
     double const asked = cells == 10 ? 0 : cells == 20 ? 0.02 : 0.005;
     FlowProfile const flow = steady(findings, column, asked, "2 % at h/20, 0.5 % at h/40");
     plot.curves.push_back({column.name, flow.y, flow.u});
+    spacings.push_back(FlowColumn::height / cells);
+    errors.push_back(profile_error(flow, exact.y, exact.u));
   }
+  findings.check("steady, h/10 to h/40", "order of the profile's error", fitted_slope(spacings, errors)->value,
+                 at_least(1), "at least 1");
   for (FlowColumn const& column : variants()) {
     FlowProfile const flow = steady(findings, of_document(column), 0, "a cause, h/20");
     if (column.name == "as published") plot.curves.push_back({column.name, flow.y, flow.u});
   }
-  SteadyLayer const exact(bead_layer(28));
   plot.curves.push_back({"exact", exact.y, exact.u, true});
   findings.plots.push_back(plot);
   for (double const slope : {23.0, 24.0, 26.0, 30.0, 32.0})

@@ -31,7 +31,28 @@ std::vector<Sweep> sweeps() {
           {"xi", [](Fluid& f) -> double& { return f.hardening.xi; }, {20, 30, 100, 200}}};
 }
 
+/// Disordered particles: differences of volume between neighbours are of pressure, xi times as large.
+void disordered(Findings& findings) {
+  for (double const xi : {15.0, 30.0, 50.0}) {
+    auto layer = bead_layer(28);
+    layer.layer.fluid.hardening.xi = xi;
+    SteadyLayer const exact(layer);
+    FlowColumn const column{.name = fmt::format("xi = {}, disordered, 12 particles a cell", xi),
+                            .gradient = exact.surface / FlowColumn::height,
+                            .changes = {R"(/bodies/0/seeding={"type": "poisson_disk", "per_cell": 12, "seed": 42})",
+                                        fmt::format("/materials/0/law/xi={}", xi)}};
+    Cost cost;
+    FlowProfile const flow = mean_of(profiles_of(FlowColumn::study, column.all_changes(), evenly(2, 3, 20), cost));
+    findings.note(column.name, "error of the surface speed", flow.surface() / exact.surface - 1, "h/20", cost);
+    findings.note(column.name, "error of the profile", profile_error(flow, exact.y, exact.u), "h/20");
+    findings.note(column.name, "scatter of p between neighbours", flow.scatter, "standard deviation over mean");
+    findings.note(column.name, "thickness over that of the exact layer, less 1", flow.thickness / exact.thickness - 1,
+                  "by the particles' places");
+  }
+}
+
 void run(Findings& findings) {
+  disordered(findings);
   for (Sweep const& sweep : sweeps()) {
     Plot plot{"Column on 28 degrees, other " + sweep.name + ": u over y", "y [m]", "u [m/s]"};
     for (double const value : sweep.values) {
