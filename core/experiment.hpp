@@ -32,6 +32,7 @@ struct Explanation {
   std::size_t particles = 0, blocks = 0, bytes = 0;
   double spacing = 0;
   TimeStep first_step;
+  std::string limited_by;              ///< the limit of the first step, in words
   double wave_speed = 0, courant = 0;  ///< fastest wave [m/s]; c dt / h of the first step
 };
 

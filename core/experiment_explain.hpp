@@ -5,6 +5,19 @@
 
 namespace talus {
 
+/// A limit of core/time_step.hpp with what sets it.
+template <int D>
+std::string limit_in_words(Scene<D> const& scene, std::string_view limiter) {
+  StepLimits const& limits = scene.limits;
+  if (limiter == "elastic")
+    return in_short(limits.safety) + " of what a particle of " + stiffest(scene).material->name +
+           " without neighbours bears (/time/safety)";
+  if (limiter == "crossing")
+    return "a particle may cross " + in_short(limits.crossing) + " of a cell in a step (/time/crossing)";
+  if (limiter == "gradient") return "dt |L| may be " + in_short(limits.gradient) + " (/time/gradient)";
+  return "the end is landed on";
+}
+
 template <int D>
 Explanation ExperimentOf<D>::explain() const {
   Scene<D> const& scene = simulation_->scene();
@@ -55,8 +68,9 @@ Explanation ExperimentOf<D>::explain() const {
   told.bytes = simulation_->bytes();
   told.spacing = scene.spacing;
   told.first_step = simulation_->next(std::numeric_limits<double>::infinity());
+  told.limited_by = limit_in_words(scene, told.first_step.limiter);
   for (auto const& m : scene.materials)
-    told.wave_speed = std::max(told.wave_speed, std::sqrt(m->volumetric_modulus() / m->density));
+    told.wave_speed = std::max(told.wave_speed, std::sqrt(m->wave_modulus() / m->density));
   told.courant = told.wave_speed * told.first_step.dt / scene.spacing;
   return told;
 }

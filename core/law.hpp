@@ -47,8 +47,12 @@ concept Law = Described<typename L::Parameters> && std::constructible_from<L, ty
   { L::source } -> std::convertible_to<std::string_view>;
   { L::rate_dependent } -> std::convertible_to<bool>;
   { L::dissipative } -> std::convertible_to<bool>;
-  /// d_s lambda + 2 G [Pa]: the modulus that limits the time step.
+  /// d_s lambda + 2 G [Pa]: of a change of volume.
   { law.template volumetric_modulus<shape::Plane>() } -> std::same_as<double>;
+  /// The stiffest answer to a motion in so many dimensions [Pa]: the modulus that limits the time step.
+  { law.stiffest_modulus(2) } -> std::same_as<double>;
+  /// lambda + 2 G [Pa]: of waves of compression.
+  { law.wave_modulus() } -> std::same_as<double>;
   /// The fields of a particle that was never deformed.
   { law.template initial<shape::Solid>() } -> std::same_as<Record<double, typename L::State>>;
 };

@@ -55,8 +55,12 @@ class Material {
                       Load<D>* loads, bool friction, StrainWork<>* work) const = 0;
   /// Stored energy of the batch [J].
   [[nodiscard]] virtual double elastic_energy(Batch<D> const& batch) const = 0;
-  /// d_s lambda + 2 G [Pa]: the modulus that limits the time step.
+  /// d_s lambda + 2 G [Pa]: of a change of volume.
   [[nodiscard]] virtual double volumetric_modulus() const = 0;
+  /// The stiffest answer of the stress to a motion in D dimensions [Pa]: the modulus that limits the time step.
+  [[nodiscard]] virtual double stiffest_modulus() const = 0;
+  /// lambda + 2 G [Pa]: of waves of compression.
+  [[nodiscard]] virtual double wave_modulus() const = 0;
   /// True where walls may take their friction from the material.
   [[nodiscard]] virtual bool has_friction() const = 0;
   /// Quantities that are computed from the state for output.
@@ -139,6 +143,8 @@ class MaterialOf final : public Material<Kinematics::dimension> {
   }
 
   [[nodiscard]] double volumetric_modulus() const override { return law_.template volumetric_modulus<Shape>(); }
+  [[nodiscard]] double stiffest_modulus() const override { return law_.stiffest_modulus(D); }
+  [[nodiscard]] double wave_modulus() const override { return law_.wave_modulus(); }
   [[nodiscard]] bool has_friction() const override { return HasFriction<Law>; }
 
   [[nodiscard]] std::vector<FieldInfo> derived() const override {

@@ -100,6 +100,7 @@ void explain(Document const& document, bool json) {
                        {"memory_bytes", told.bytes},
                        {"dt", told.first_step.dt},
                        {"limiter", told.first_step.limiter},
+                       {"limited_by", told.limited_by},
                        {"wave_speed", told.wave_speed},
                        {"courant", told.courant},
                        {"expected_steps", steps}};
@@ -114,8 +115,8 @@ void explain(Document const& document, bool json) {
              told.bytes_per_particle, told.padded_bytes_per_particle, 1e-6 * static_cast<double>(told.bytes));
   print_lines("A step runs", told.stages);
   print_lines("Left out", told.left_out);
-  fmt::print("\nTime step\n  dt = {:.4g} s, limited by: {}; fastest wave {:.4g} m/s, c dt/h = {:.3f}\n",
-             told.first_step.dt, told.first_step.limiter, told.wave_speed, told.courant);
+  fmt::print("\nTime step\n  dt = {:.4g} s, limited by: {}: {}\n  fastest wave {:.4g} m/s, c dt/h = {:.3f}\n",
+             told.first_step.dt, told.first_step.limiter, told.limited_by, told.wave_speed, told.courant);
   fmt::print("  about {:.3g} steps to t = {} s, {:.3g} particle-steps\n", steps, composed.plan.end,
              steps * static_cast<double>(told.particles));
 }

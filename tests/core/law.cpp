@@ -46,6 +46,8 @@ struct Stone {
   double volumetric_modulus() const {
     return 1;
   }
+  double stiffest_modulus(int) const { return 1; }
+  double wave_modulus() const { return 1; }
   template <class Shape>
   Record<double, State> initial() const {
     return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 
 #include "core/config/parameters.hpp"
@@ -33,11 +34,16 @@ struct Moduli {
   [[nodiscard]] double bulk() const {
     return lambda + 2 * G / Shape::normals;
   }
-  /// d_s lambda + 2 G [Pa]: what the time step needs.
+  /// d_s lambda + 2 G [Pa]: of a change of volume.
   template <class Shape>
   [[nodiscard]] double volumetric_modulus() const {
     return Shape::normals * bulk<Shape>();
   }
+  /// max(d lambda, 0) + 2 G [Pa]: the stiffest answer to a motion in d dimensions, to a change of volume where nu > 0 and
+  /// to shear where nu < 0.
+  [[nodiscard]] double stiffest_modulus(int dimension) const { return std::max(dimension * lambda, 0.0) + 2 * G; }
+  /// lambda + 2 G [Pa]: of waves of compression.
+  [[nodiscard]] double wave_modulus() const { return lambda + 2 * G; }
 };
 
 }  // namespace talus::law

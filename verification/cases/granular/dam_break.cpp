@@ -6,63 +6,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-
-#include "core/cli/program.hpp"
-#include "core/io/files.hpp"
 #include "verification/suite/cases.hpp"
-#include "verification/suite/places.hpp"
+#include "verification/suite/dam_break.hpp"
 #include "verification/suite/richardson.hpp"
 
 namespace talus::verification {
 
 namespace {
 
-constexpr double height = 0.14, end = 0.4;  // of the heap [m]; of the runs [s]
+constexpr double end = 0.4;  // of the runs [s]
 
 /// What is looked at, in the words of the series.
-constexpr std::array measures{"centre_of_mass_x", "centre_of_mass_y", "front", "kinetic_energy"};
-
-/// The study with n cells in the height of the heap, nine particles a cell.
-Composed study_with(int n) {
-  std::string const file = std::string(studies) + "/dam_break_22.json";
-  Document document = parse(io::read_file(file), file);
-  double const h = height / n;
-  set_value(document, fmt::format("/grid/spacing={}", h));
-  set_value(document, fmt::format("/bodies/0/shape/min=[0, {}]", h / 2));
-  set_value(document, fmt::format("/bodies/0/shape/max=[0.2, {}]", height + h / 2));
-  set_value(document, R"(/bodies/0/seeding={"type": "lattice", "per_axis": 3})");
-  set_value(document, R"(/output/ledger={"type": "none"})");
-  return program().compose(document);
-}
-
-/// The measures at the end.
-std::vector<double> values_with(int n, Cost& cost) {
-  Composed const composed = study_with(n);
-  Experiment& experiment = *composed.experiment;
-  auto const begun = std::chrono::steady_clock::now();
-  while (experiment.time() < end) experiment.advance(end);
-  cost.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  cost.steps = experiment.steps();
-  cost.particle_steps = double(cost.steps) * double(experiment.particles());
-  auto const quantities = experiment.quantities();
-  auto const all = experiment.measure();
-  std::vector<double> values;
-  for (char const* const name : measures) {
-    auto const at = std::find_if(quantities.begin(), quantities.end(), [&](auto const& q) { return q.name == name; });
-    values.push_back(all[static_cast<std::size_t>(at - quantities.begin())]);
-  }
-  return values;
-}
+std::vector<std::string> const measures{"centre_of_mass_x", "centre_of_mass_y", "front", "kinetic_energy"};
 
 void run(Findings& findings) {
   std::vector<double> spacings;
   std::vector<std::vector<double>> values(measures.size());
-  Cost cost;
   for (int const n : {20, 28, 40, 56}) {
-    spacings.push_back(height / n);
-    auto const found = values_with(n, cost);
+    spacings.push_back(heap_height / n);
+    Document document = dam_break(n, 3);
+    set_value(document, R"(/output/ledger={"type": "none"})");
+    Cost cost;
+    auto const found = run_to(document, end, measures, cost).values;
     for (std::size_t k = 0; k < measures.size(); ++k) {
       values[k].push_back(found[k]);
       findings.note(measures[k], fmt::format("value with {} cells in the height", n), found[k], "",
