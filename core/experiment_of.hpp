@@ -76,6 +76,7 @@ class ExperimentOf final : public Experiment {
 #include "core/experiment_checkpoint.hpp"
 #include "core/experiment_explain.hpp"
 #include "core/experiment_measure.hpp"
+#include "core/experiment_restore.hpp"
 
 namespace talus {
 extern template class ExperimentOf<2>;  // core/experiment_of.cpp

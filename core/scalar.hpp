@@ -28,6 +28,9 @@ inline bool any(bool condition) {
 inline bool all(bool condition) {
   return condition;
 }
+static_assert(__FINITE_MATH_ONLY__ == 0,
+              "Talus refuses a fast-math build: non-finite states are found by what it forgets. Take -ffast-math, "
+              "-Ofast or -ffinite-math-only out of the compiler's flags");
 inline bool is_finite(double a) {
   return std::abs(a) <= std::numeric_limits<double>::max();
 }

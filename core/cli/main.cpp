@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <functional>
 
 #include "core/build_info.hpp"
@@ -211,6 +212,7 @@ int told(std::exception const& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is then an error of the call that writes it, as on a full disk
   Arguments arguments;
   Verb chosen;
   arguments.run.command_line.assign(argv, argv + argc);
@@ -233,11 +235,9 @@ int main(int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-' && refuse_unknown_verb(app, argv[1])) return usage_error;
   try {
     app.parse(argc, argv);
+    return chosen();
   } catch (CLI::ParseError const& error) {
     return app.exit(error) == 0 ? done : usage_error;
-  }
-  try {
-    return chosen();
   } catch (std::exception const& error) {
     return told(error);
   }

@@ -2,231 +2,63 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <csignal>
-
-#include "core/cli/profile_files.hpp"
-#include "core/cli/schedule.hpp"
+#include "core/cli/run.hpp"
+#include "core/cli/show.hpp"
+#include "core/io/files.hpp"
 #include "core/io/hash.hpp"
-#include "core/io/machine.hpp"
-#include "core/io/pictures.hpp"
-#include "core/io/progress.hpp"
-#include "core/io/provenance.hpp"
-#include "core/io/run_folder.hpp"
 #include "core/parallel.hpp"
 
 namespace talus::cli {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-volatile std::sig_atomic_t stop_signal = 0;
-
-extern "C" void note_signal(int number) {
-  stop_signal = number;
+/// The case of a run's folder. Throws CheckpointError where a kill came before it was written.
+Document case_in(fs::path const& folder) {
+  fs::path const file = folder / "resolved.json";
+  if (!fs::exists(file))
+    throw CheckpointError(
+        fmt::format("there is nothing to resume in {}: the run was stopped before it began; run its "
+                    "document again with --force",
+                    folder.string()));
+  return load(file.string(), {});
 }
 
-/// One run: what it holds open, and what it has written so far.
-class Run {
- public:
-  Run(Composed composed, io::RunFolder folder, RunOptions const& options)
-      : composed_(std::move(composed)),
-        folder_(std::move(folder)),
-        options_(options),
-        frame_times_{composed_.plan.frames_every},
-        series_times_{composed_.plan.series_every},
-        checkpoint_times_{composed_.plan.checkpoints_every},
-        profile_times_{composed_.plan.profiles_every},
-        start_(io::utc_now()) {
-    for (Quantity const& q : experiment().quantities()) columns_.push_back({q.name, q.unit});
-  }
-
-  void begin_new() {
-    series_.emplace(folder_.series(), columns_);
-    profiles_.begin(folder_, experiment());
-  }
-
-  void take(io::Checkpoint const& saved) {
-    experiment().restore(saved);
-    frame_times_.done = saved.value<std::int64_t>("frames_due");
-    series_times_.done = saved.value<std::int64_t>("series_due");
-    checkpoint_times_.done = saved.value<std::int64_t>("checkpoints_due");
-    profile_times_.done = saved.value<std::int64_t>("profiles_due");
-    auto const& times = saved.value<std::vector<double>>("frame_times");
-    auto const& files = saved.value<std::vector<std::string>>("frame_files");
-    for (std::size_t k = 0; k < times.size(); ++k) frames_.push_back({times[k], files[k]});
-    series_.emplace(folder_.series(), columns_, saved.value<std::int64_t>("series_rows"));
-    profiles_.resume(folder_, experiment(), saved.value<std::vector<std::int64_t>>("profile_rows"));
-  }
-
-  void write_provenance(std::vector<io::InputFile> inputs) {
-    provenance_ = {options_.command_line, thread_count(), composed_.plan.seed, std::move(inputs), start_, ""};
-    folder_.write("provenance.json", io::provenance_document(provenance_));
-  }
-
-  RunResult go();
-
- private:
-  [[nodiscard]] Experiment& experiment() { return *composed_.experiment; }
-  void write_outputs(bool last);
-  void write_checkpoint();
-  ExitCode step_to_the_end();
-  RunResult finish(ExitCode code);
-  [[nodiscard]] nlohmann::json summary(ExitCode code, std::vector<Verdict> const& verdicts);
-
-  Composed composed_;
-  io::RunFolder folder_;
-  RunOptions options_;
-  Schedule frame_times_, series_times_, checkpoint_times_, profile_times_;
-  std::string start_;
-  std::vector<io::SeriesColumn> columns_;
-  std::optional<io::SeriesWriter> series_;
-  ProfileFiles profiles_;
-  std::vector<io::Frame> frames_;
-  io::Provenance provenance_;
-  std::string failure_;
-  long first_step_ = 0;
-  double wall_seconds_ = 0;
-};
-
-/// What is due now. `last`: the end, of which everything is kept that is not there yet.
-void Run::write_outputs(bool last) {
-  double const t = experiment().time();
-  if (series_times_.due(t) || last) {
-    series_->append(experiment().measure());
-    series_times_.mark(t);
-  }
-  if (profile_times_.due(t) || last) {
-    profiles_.append(experiment());
-    profile_times_.mark(t);
-  }
-  if (frame_times_.due(t) || (last && (frames_.empty() || frames_.back().time != t))) {
-    folder_.add_frame(experiment().frame(), frames_);
-    frame_times_.mark(t);
-  }
-  if (checkpoint_times_.due(t) || last) {
-    checkpoint_times_.mark(t);
-    write_checkpoint();
-  }
+/// Throws CheckpointError where a checkpoint is of another case than the folder.
+void require_same_case(io::Checkpoint const& saved, nlohmann::json const& resolved) {
+  auto const held = parse(saved.value<std::string>("case"), "its case").value;
+  auto const changes = nlohmann::json::diff(resolved, held);
+  if (changes.empty()) return;
+  nlohmann::json::json_pointer const pointer(changes[0]["path"].get<std::string>());
+  auto const at_pointer = [&](nlohmann::json const& from) {
+    return from.contains(pointer) ? from[pointer].dump() : std::string("not given");
+  };
+  throw CheckpointError(fmt::format("it is of another case than resolved.json beside it: {} is {} there, {} here",
+                                    pointer.to_string(), at_pointer(held), at_pointer(resolved)));
 }
 
-void Run::write_checkpoint() {
-  io::Checkpoint saved = experiment().checkpoint();
-  std::vector<double> times;
-  std::vector<std::string> files;
-  for (io::Frame const& frame : frames_) {
-    times.push_back(frame.time);
-    files.push_back(frame.file);
-  }
-  saved.values["frames_due"] = frame_times_.done;
-  saved.values["series_due"] = series_times_.done;
-  saved.values["checkpoints_due"] = checkpoint_times_.done;
-  saved.values["profiles_due"] = profile_times_.done;
-  saved.values["frame_times"] = times;
-  saved.values["frame_files"] = files;
-  saved.values["series_rows"] = series_->rows();
-  saved.values["profile_rows"] = profiles_.rows();
-  saved.values["case"] = composed_.resolved.dump();
-  series_->sync();
-  profiles_.sync();
-  io::write_checkpoint(folder_.checkpoints(), saved, 2);
-  folder_.write_status({io::Outcome::running, std::nullopt, experiment().time(), experiment().steps()});
-}
-
-ExitCode Run::step_to_the_end() {
-  double const end = composed_.plan.end;
-  std::optional<io::Progress> progress;
-  if (!options_.quiet)
-    progress.emplace(experiment().time(), std::min(end, options_.until), io::ProgressOutput::standard_error());
-  auto const particles = static_cast<std::int64_t>(experiment().particles());
-  write_outputs(false);
-  while (experiment().time() < end) {
-    if (experiment().time() >= options_.until || stop_signal != 0) {
-      write_checkpoint();
-      return stop_signal != 0 ? stopped : done;
-    }
-    experiment().advance(end);
-    write_outputs(experiment().time() >= end);
-    if (progress)
-      progress->update(experiment().time(), experiment().steps(), particles * (experiment().steps() - first_step_));
-  }
-  if (progress) progress->finish();
-  return done;
-}
-
-nlohmann::json Run::summary(ExitCode code, std::vector<Verdict> const& verdicts) {
-  nlohmann::json document;
-  document["title"] = composed_.plan.title;
-  document["exit_code"] = static_cast<int>(code);
-  document["finished"] = experiment().time() >= composed_.plan.end;
-  document["time"] = experiment().time();
-  document["steps"] = experiment().steps();
-  document["particles"] = experiment().particles();
-  document["sorts"] = experiment().sorts();
-  document["wall_seconds"] = wall_seconds_;
-  auto const work =
-      static_cast<double>(experiment().steps() - first_step_) * static_cast<double>(experiment().particles());
-  document["particle_steps_per_second"] = wall_seconds_ > 0 ? work / wall_seconds_ : 0.0;
-  document["peak_memory_bytes"] = io::peak_memory();
-  if (!failure_.empty()) {
-    document["failure"] = failure_;
-    return document;
-  }
-  document["state_hash"] = io::state_hash(experiment().state());
-  std::vector<double> const values = experiment().measure();
-  for (std::size_t k = 0; k < values.size(); ++k) document["measures"][columns_[k].name] = values[k];
-  if (auto const balances = experiment().balances(); !balances.empty()) document["ledgers"] = ledger_document(balances);
-  document["expectations"] = verdict_document(verdicts);
-  return document;
-}
-
-RunResult Run::finish(ExitCode code) {
-  RunResult result;
-  bool const finished = experiment().time() >= composed_.plan.end;
-  if (code == done && finished) {
-    result.verdicts =
-        judge(before_end(composed_.plan.expect, composed_.plan.end), io::read_series(folder_.series()), "");
-    for (Verdict const& v : result.verdicts)
-      if (!v.passed) code = expectation_failed;
-  }
-  result.code = code;
-  result.summary = summary(code, result.verdicts);
-  folder_.write("summary.json", result.summary);
-  provenance_.end = io::utc_now();
-  folder_.write("provenance.json", io::provenance_document(provenance_));
-  io::Outcome const outcome = code == computation_failed ? io::Outcome::failed
-                              : finished                 ? io::Outcome::done
-                                                         : io::Outcome::stopped;
-  folder_.write_status({outcome, static_cast<int>(code), experiment().time(), experiment().steps()});
-  if (options_.pictures && code != computation_failed) {
-    std::string trouble;
-    try {
-      trouble = io::draw_pictures(folder_.path());
-    } catch (FileError const& error) {
-      trouble = error.what();
-    }
-    if (!trouble.empty() && !options_.quiet) fmt::print(stderr, "no pictures: {}\n", trouble);
-  }
-  return result;
-}
-
-RunResult Run::go() {
-  stop_signal = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
-  first_step_ = experiment().steps();
-  auto const begun = std::chrono::steady_clock::now();
-  ExitCode code = done;
+/// Calls f; puts `before` what it finds wrong with the newest checkpoint, and behind it what a user can do.
+template <class F>
+void with_advice(std::vector<fs::path> const& checkpoints, std::string const& before, F const& f) {
   try {
-    code = step_to_the_end();
-  } catch (RunError const& error) {
-    failure_ = error.what();
-    code = computation_failed;
-    folder_.log(failure_);
-    fmt::print(stderr, "\nthe computation failed: {}\nthe last good state is in {}\n", failure_,
-               folder_.checkpoints().string());
+    f();
+  } catch (CheckpointError const& error) {
+    auto const way = checkpoints.size() > 1 ? "go on from " + checkpoints[checkpoints.size() - 2].filename().string()
+                                            : std::string("begin anew");
+    throw CheckpointError(fmt::format("{}{}\nnothing was changed; to {}, move {} away and resume again", before,
+                                      error.what(), way, checkpoints.back().string()));
   }
-  wall_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  return finish(code);
+}
+
+void warn_of_another_build(io::Checkpoint const& saved, RunOptions const& options) {
+  std::string const here = io::build_line();
+  auto const found = saved.values.find("build");
+  auto const* text = found == saved.values.end() ? nullptr : std::get_if<std::string>(&found->second);
+  std::string const there = text != nullptr ? *text : "that is not known";
+  if (there != here && !options.quiet)
+    fmt::print(stderr, "warning: the checkpoint was written by another build, {}; this is {}: the bits may differ\n",
+               there, here);
 }
 
 }  // namespace
@@ -248,14 +80,24 @@ RunResult run_case(Document const& document, std::string_view given, RunOptions 
 RunResult resume_case(RunOptions const& options) {
   if (options.threads > 0) set_thread_count(options.threads);
   io::RunFolder folder = io::RunFolder::open(options.folder);
+  Document const document = case_in(options.folder);
   auto const checkpoints = io::checkpoints_in(folder.checkpoints());
-  if (checkpoints.empty()) throw CheckpointError("there is no checkpoint in " + folder.checkpoints().string());
-  io::Checkpoint const saved = io::read_checkpoint(checkpoints.back());
-  Composed composed = program().compose(parse(saved.value<std::string>("case"), "resolved.json"));
+  std::string const unusable =
+      checkpoints.empty() ? "" : fmt::format("the checkpoint {} cannot be used: ", checkpoints.back().string());
+  io::Checkpoint saved;
+  if (!checkpoints.empty()) {
+    with_advice(checkpoints, "", [&] { saved = io::read_checkpoint(checkpoints.back()); });
+    with_advice(checkpoints, unusable, [&] { require_same_case(saved, document.value); });
+    warn_of_another_build(saved, options);
+  }
+  Composed composed = program().compose(document);
+  composed.resolved = document.value;  // checkpoints keep the case as it was given
   Run run(std::move(composed), std::move(folder), options);
-  std::string const given = io::read_file(options.folder / "case.json");
-  run.write_provenance({{"case.json", io::sha256(given)}});
-  run.take(saved);
+  if (checkpoints.empty())  // it was stopped before it wrote one
+    run.begin_new();
+  else
+    with_advice(checkpoints, unusable, [&] { run.take(saved); });
+  run.write_provenance({{"case.json", io::sha256(io::read_file(options.folder / "case.json"))}});
   return run.go();
 }
 

@@ -32,7 +32,8 @@ struct RunResult {
 /// FileError.
 [[nodiscard]] RunResult run_case(Document const& document, std::string_view given, RunOptions const& options);
 
-/// Goes on with the run in a folder, from its newest checkpoint. Throws InputError, FileError, CheckpointError.
+/// Goes on with the run in a folder, from its newest checkpoint; from the beginning where there is none yet. Throws
+/// InputError, FileError, CheckpointError; the last leaves the folder as it was.
 [[nodiscard]] RunResult resume_case(RunOptions const& options);
 
 /// Runs every case of a study into sub-folders, judges its expectations, writes results.json and results.csv.

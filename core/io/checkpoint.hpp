@@ -32,9 +32,9 @@ struct Checkpoint {
   template <class T>
   [[nodiscard]] T const& value(std::string const& name) const {
     auto const found = values.find(name);
-    if (found == values.end()) throw CheckpointError("the checkpoint does not hold '" + name + "'");
+    if (found == values.end()) throw CheckpointError("it does not hold '" + name + "'");
     if (auto const* value = std::get_if<T>(&found->second)) return *value;
-    throw CheckpointError("the checkpoint holds '" + name + "' as another kind of value than expected");
+    throw CheckpointError("it holds '" + name + "' as another kind of value than expected");
   }
 
   friend bool operator==(Checkpoint const&, Checkpoint const&) = default;

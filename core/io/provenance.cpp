@@ -38,6 +38,12 @@ nlohmann::json library_document() {
 
 }  // namespace
 
+std::string build_line() {
+  using namespace build_info;
+  return fmt::format("talus {} ({}{}), {}, {}, {}", version, git_commit, git_dirty ? ", changed" : "", compiler,
+                     build_type, instruction_set);
+}
+
 nlohmann::json provenance_document(Provenance const& run) {
   nlohmann::json inputs = nlohmann::json::array();
   for (auto const& input : run.inputs) inputs.push_back({{"name", input.name}, {"sha256", input.sha256}});

@@ -25,6 +25,9 @@ struct Provenance {
   std::string start, end;
 };
 
+/// This build in one line: version, commit, compiler, type and instruction set.
+[[nodiscard]] std::string build_line();
+
 /// The document provenance.json. The machine's name and the user's are left out.
 [[nodiscard]] nlohmann::json provenance_document(Provenance const& run);
 

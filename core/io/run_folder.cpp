@@ -51,30 +51,38 @@ void make_folder(fs::path const& path) {
   if (error) throw FileError("cannot make the folder " + path.string() + ": " + error.message());
 }
 
+/// Nothing, or what a kill leaves of a run that had only just begun.
 bool holds_nothing(fs::path const& path) {
   std::error_code error;
-  bool const empty = fs::is_empty(path, error);
+  for (auto const& entry : fs::directory_iterator(path, error))
+    if (entry.path().filename() != "status.json.tmp") return false;
   if (error) throw FileError("cannot read the folder " + path.string() + ": " + error.message());
-  return empty;
+  return true;
 }
 
-/// Removes our files from `path / below`, never through a link to elsewhere.
-void clear(fs::path const& path, std::string const& below) {
-  if (fs::is_symlink(path / below)) throw FileError((path / below).string() + " is a link: will not clear it");
+/// Removes our files that end so from `path / below`, never through a link to elsewhere: a folder that should be empty
+/// must not be one, rests may stay.
+void clear(fs::path const& path, std::string const& below, std::string_view ending) {
+  if (!fs::exists(path / below)) return;
+  if (fs::is_symlink(path / below)) {
+    if (!ending.empty()) return;
+    throw FileError((path / below).string() + " is a link: will not clear it");
+  }
   std::vector<fs::path> found;
   for (auto const& entry : fs::directory_iterator(path / below))
-    if (!entry.is_directory() && is_ours((below.empty() ? "" : below + "/") + entry.path().filename().string()))
+    if (auto const name = entry.path().filename().string();
+        !entry.is_directory() && name.ends_with(ending) && is_ours((below.empty() ? "" : below + "/") + name))
       found.push_back(entry.path());
   for (auto const& file : found) fs::remove(file);
 }
 
-void clear_run(fs::path const& path) {
+/// Removes our files that end so from the folder of a run.
+void clear_run(fs::path const& path, std::string_view ending) {
   static_cast<void>(read_status(path));  // throws where this is not the folder of a run
   try {
-    for (std::string const below : subfolders)
-      if (fs::exists(path / below)) clear(path, below);
-    if (fs::exists(path / profiles)) clear(path, profiles);
-    clear(path, "");
+    for (std::string const below : subfolders) clear(path, below, ending);
+    clear(path, profiles, ending);
+    clear(path, "", ending);
   } catch (fs::filesystem_error const& error) {
     throw FileError("cannot clear the folder " + path.string() + ": " + error.code().message());
   }
@@ -102,7 +110,7 @@ RunFolder RunFolder::create(fs::path const& path, bool force) {
   if (!holds_nothing(path)) {
     if (!force)
       throw FileError("the folder " + path.string() + " is not empty; choose another, or replace its run with --force");
-    clear_run(path);
+    clear_run(path, "");
   }
   put_status(path, {});
   RunFolder folder(path, std::move(held));
@@ -113,7 +121,9 @@ RunFolder RunFolder::create(fs::path const& path, bool force) {
 
 RunFolder RunFolder::open(fs::path const& path) {
   static_cast<void>(read_status(path));  // throws where this is not the folder of a run
-  RunFolder folder(path, lock(path));
+  auto held = lock(path);
+  clear_run(path, ".tmp");  // what a kill left half written
+  RunFolder folder(path, std::move(held));
   for (auto const* name : subfolders) make_folder(path / name);
   return folder;
 }

@@ -68,7 +68,7 @@ std::string suite_fault(Source const& source) {
 
 bool is_test(Source const& source) {
   return first_folder(source.path) == "tests" && source.path.ends_with(".cpp") && source.path != "tests/main.cpp" &&
-         !is_below(source.path, "tests/package");
+         !is_below(source.path, "tests/package") && !is_below(source.path, "tests/fuzz");
 }
 
 std::string fault(std::string path, std::vector<std::string> lines) {

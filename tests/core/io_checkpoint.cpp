@@ -10,7 +10,7 @@
 
 #include "core/io/checkpoint.hpp"
 #include "core/io/files.hpp"
-#include "core/io/hash.hpp"
+#include "tests/support/forged.hpp"
 #include "tests/support/says.hpp"
 #include "tests/support/small_disk.hpp"
 #include "tests/support/snapshots.hpp"
@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using support::says;
 using support::SmallDisk;
 using support::TemporaryFolder;
+using support::with_header;
 
 namespace {
 
@@ -42,14 +43,6 @@ io::Checkpoint at_step(std::int64_t step) {
   io::Checkpoint checkpoint{support::collapsing_heap(2, 4, 0.1), {}};
   checkpoint.particles.step = step;
   return checkpoint;
-}
-
-/// A file that claims to be whole: a true header before other contents.
-std::string with_header(std::string const& contents) {
-  auto header = "talus checkpoint, format 3\nHDF5 from byte 512 on\nbytes " + std::to_string(contents.size()) +
-                "\nsha256 " + io::sha256(contents) + "\n";
-  header.resize(512, '\n');
-  return header + contents;
 }
 
 /// What is written to standard error while it lives.

@@ -1,6 +1,7 @@
 /// The folder of a run: what is in it, whom it belongs to, what may be removed.
 
 #include <boost/test/unit_test.hpp>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -133,16 +134,37 @@ BOOST_AUTO_TEST_CASE(two_processes_do_not_share_a_folder) {
   BOOST_CHECK_NO_THROW(static_cast<void>(io::RunFolder::open(folder / "run")));
 }
 
-BOOST_AUTO_TEST_CASE(a_run_is_opened_again_with_all_that_it_has) {
+BOOST_AUTO_TEST_CASE(a_run_is_opened_again_without_what_a_kill_left_half_written) {
   TemporaryFolder const folder;
   leave_a_run(folder / "run");
-  auto const before = files_in(folder / "run");
-  fs::remove(folder / "run/plots/particles.png");
+  io::write_atomically(folder / "run/mine.tmp", "mine");
+  auto expected = files_in(folder / "run");
+  auto const rests =
+      std::erase_if(expected, [](auto const& name) { return name.ends_with(".tmp") && name != "mine.tmp"; });
+  BOOST_TEST(rests == 3u);
   auto run = io::RunFolder::open(folder / "run");
   run.log("again");
-  BOOST_TEST(files_in(folder / "run").size() == before.size() - 1);
+  BOOST_TEST(files_in(folder / "run") == expected, boost::test_tools::per_element());
   BOOST_CHECK_THROW(static_cast<void>(io::RunFolder::open(folder / "missing")), FileError);
   BOOST_CHECK_THROW(static_cast<void>(io::RunFolder::open(folder.path())), FileError);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_may_lie_behind_a_link) {
+  TemporaryFolder const folder;
+  leave_a_run(folder / "run");
+  fs::rename(folder / "run/frames", folder / "frames");
+  fs::create_directory_symlink(folder / "frames", folder / "run/frames");
+  auto const before = files_in(folder / "frames");
+  BOOST_CHECK_NO_THROW(static_cast<void>(io::RunFolder::open(folder / "run")));
+  BOOST_TEST((files_in(folder / "frames") == before));
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_of_a_run_killed_at_once_is_as_good_as_empty) {
+  TemporaryFolder const folder;
+  fs::create_directory(folder / "run");
+  std::ofstream(folder / "run/status.json.tmp") << "{";
+  BOOST_CHECK_NO_THROW(static_cast<void>(io::RunFolder::create(folder / "run", false)));
+  BOOST_TEST((files_in(folder / "run") == std::vector<std::string>{"log.txt", "status.json"}));
 }
 
 BOOST_AUTO_TEST_CASE(a_file_in_the_place_of_the_folder_is_an_error) {

@@ -5,37 +5,12 @@ import subprocess
 import time
 import unittest
 
-from talus_process import PROGRAM, InFolder, coarse_dam as plain_dam
-
-
-def coarse_dam():
-    """The dam break with a station in its way."""
-    case = plain_dam()
-    case["output"]["stations"] = [{"name": "toe", "min": [0.15, 0.0], "max": [0.3, 0.2]}]
-    case["output"]["profiles_every"] = 0.007
-    return case
+from talus_process import PROGRAM, InFolder, dam_with_a_station
 
 
 class Bits(InFolder):
-    def hash_of(self, folder):
-        summary = self.read(folder, "summary.json")
-        self.assertTrue(summary["finished"])
-        self.assertEqual(self.read(folder, "status.json")["status"], "done")
-        return summary["state_hash"]
-
-    def same_files(self, one, other):
-        for name in ("series.csv", "frames.pvd"):
-            self.assertEqual((self.folder / one / name).read_bytes(), (self.folder / other / name).read_bytes(), name)
-        for below in ("frames", "profiles"):
-            files = sorted(p.name for p in (self.folder / one / below).iterdir())
-            self.assertNotEqual(files, [])
-            self.assertEqual(files, sorted(p.name for p in (self.folder / other / below).iterdir()))
-            for name in files:
-                self.assertEqual((self.folder / one / below / name).read_bytes(),
-                                 (self.folder / other / below / name).read_bytes(), name)
-
     def test_they_do_not_depend_on_the_number_of_threads(self):
-        case = self.save(coarse_dam())
+        case = self.save(dam_with_a_station())
         for threads in (1, 2, 3, 8):
             self.run_quietly(case, f"t{threads}", threads=threads)
         for threads in (2, 3, 8):
@@ -44,13 +19,13 @@ class Bits(InFolder):
                 self.same_files("t1", f"t{threads}")
 
     def test_a_different_case_gives_a_different_hash(self):
-        case = self.save(coarse_dam())
+        case = self.save(dam_with_a_station())
         self.run_quietly(case, "a")
         self.run_quietly(case, "b", "--set", "/bodies/0/seeding/seed=43")
         self.assertNotEqual(self.hash_of("a"), self.hash_of("b"))
 
     def test_a_run_stopped_half_way_goes_on_as_if_it_had_not_been(self):
-        case = self.save(coarse_dam())
+        case = self.save(dam_with_a_station())
         self.run_quietly(case, "whole")
         self.run_quietly(case, "halves", "--until", "0.05")
         self.assertFalse(self.read("halves", "summary.json")["finished"])
@@ -63,7 +38,7 @@ class Bits(InFolder):
         self.same_files("whole", "halves")
 
     def test_a_run_stopped_by_a_signal_keeps_its_state_and_goes_on(self):
-        case = coarse_dam()
+        case = dam_with_a_station()
         case["grid"]["spacing"] = 0.01
         case = self.save(case)
         self.run_quietly(case, "whole")
@@ -82,36 +57,6 @@ class Bits(InFolder):
                 self.talus("resume", folder, "-q", "--no-pictures", "-t", "1")
                 self.assertEqual(self.hash_of(folder), self.hash_of("whole"))
                 self.same_files("whole", folder)
-
-    def test_a_killed_run_goes_on_from_its_last_checkpoint(self):
-        case = coarse_dam()
-        case["grid"]["spacing"] = 0.01
-        case = self.save(case)
-        self.run_quietly(case, "whole")
-        process = subprocess.Popen([PROGRAM, "run", case, "-o", "killed", "-q", "--no-pictures", "-t", "1"],
-                                   cwd=self.folder)
-        while not (self.folder / "killed/frames/f_000003.vtu").exists():
-            self.assertIsNone(process.poll(), "it was over too soon")
-            time.sleep(0.002)
-        process.kill()
-        process.wait()
-        self.talus("resume", "killed", "-q", "--no-pictures", "-t", "1")
-        self.assertEqual(self.hash_of("killed"), self.hash_of("whole"))
-        self.same_files("whole", "killed")
-
-    def test_a_damaged_checkpoint_is_refused(self):
-        self.run_quietly(self.save(coarse_dam()), "run", "--until", "0.05")
-        newest = max((self.folder / "run/checkpoints").iterdir())
-        good = newest.read_bytes()
-        for name, bad in (("cut off", good[:len(good) // 2]), ("empty", b""),
-                          ("one bit flipped", good[:-900] + bytes([good[-900] ^ 1]) + good[-899:])):
-            with self.subTest(name):
-                newest.write_bytes(bad)
-                told = self.talus("resume", "run", "-q", "-t", "1", code=6).stderr
-                print(told.rstrip())
-                self.assertIn(newest.name, told)
-        newest.write_bytes(good)
-        self.talus("resume", "run", "-q", "--no-pictures", "-t", "1")
 
     def test_what_is_no_run_cannot_be_resumed(self):
         (self.folder / "empty").mkdir()

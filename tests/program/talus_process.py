@@ -34,6 +34,14 @@ def coarse_dam(**members):
     return case
 
 
+def dam_with_a_station(**members):
+    """The dam break with a station in its way, so that there are profiles."""
+    case = coarse_dam(**members)
+    case["output"]["stations"] = [{"name": "toe", "min": [0.15, 0.0], "max": [0.3, 0.2]}]
+    case["output"]["profiles_every"] = 0.007
+    return case
+
+
 def changed(pointer, value, case=None):
     """The case, coarse_dam() if none is given, with the member at the pointer replaced or added."""
     case = coarse_dam() if case is None else case
@@ -86,3 +94,25 @@ class InFolder(unittest.TestCase):
 
     def read(self, *parts):
         return json.loads(self.folder.joinpath(*parts).read_text(encoding="utf-8"))
+
+    def hash_of(self, folder):
+        """The state at the end of a run that has come to its end."""
+        summary = self.read(folder, "summary.json")
+        self.assertTrue(summary["finished"])
+        self.assertEqual(self.read(folder, "status.json")["status"], "done")
+        return summary["state_hash"]
+
+    def same_files(self, one, other):
+        """Two runs wrote the same series, frames, profiles and last checkpoint."""
+        for name in ("series.csv", "frames.pvd"):
+            self.assertEqual((self.folder / one / name).read_bytes(), (self.folder / other / name).read_bytes(), name)
+        for below in ("frames", "profiles"):
+            files = sorted(p.name for p in (self.folder / one / below).iterdir())
+            self.assertNotEqual(files, [])
+            self.assertEqual(files, sorted(p.name for p in (self.folder / other / below).iterdir()))
+            for name in files:
+                self.assertEqual((self.folder / one / below / name).read_bytes(),
+                                 (self.folder / other / below / name).read_bytes(), name)
+        last, other_last = (max((self.folder / run / "checkpoints").iterdir()) for run in (one, other))
+        self.assertEqual(last.name, other_last.name)
+        self.assertEqual(last.read_bytes(), other_last.read_bytes(), last.name)
