@@ -45,7 +45,7 @@ def dam_with_a_station(**members):
 def changed(pointer, value, case=None):
     """The case, coarse_dam() if none is given, with the member at the pointer replaced or added."""
     case = coarse_dam() if case is None else case
-    target, last = _at(pointer, case)
+    target, last = place_of(pointer, case)
     target[last] = value
     return case
 
@@ -53,12 +53,13 @@ def changed(pointer, value, case=None):
 def without(pointer):
     """coarse_dam() without the member at the pointer."""
     case = coarse_dam()
-    target, last = _at(pointer, case)
+    target, last = place_of(pointer, case)
     del target[last]
     return case
 
 
-def _at(pointer, target):
+def place_of(pointer, target):
+    """Object or list in which the member at a pointer lies, and its name or index there."""
     *parents, last = [int(part) if part.isdigit() else part for part in pointer.strip("/").split("/")]
     for part in parents:
         target = target[part]
