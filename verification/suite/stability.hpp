@@ -4,6 +4,7 @@
 /// Kinematics: PlaneStrainReduced, PlaneStrain or Solid.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "verification/reference/lattice_modes.hpp"

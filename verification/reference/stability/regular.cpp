@@ -6,6 +6,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "verification/reference/stability/bisection.hpp"
 
