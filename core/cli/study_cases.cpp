@@ -45,8 +45,12 @@ Document document_of(StudyPlan const& plan, std::vector<nlohmann::json> const& v
 }  // namespace
 
 std::vector<StudyCase> cases_of(StudyPlan const& plan) {
-  std::size_t count = 1;
-  for (StudyAxis const& axis : plan.axes) count *= axis.values.size();
+  double combinations = 1;
+  for (StudyAxis const& axis : plan.axes) combinations *= static_cast<double>(axis.values.size());
+  if (combinations > most_cases)
+    throw InputError(fmt::format("/axes: found {} combinations of values; at most {} are allowed: split the study",
+                                 combinations, most_cases));
+  auto const count = static_cast<std::size_t>(combinations);
   std::vector<StudyCase> cases;
   for (std::size_t k = 0; k < count; ++k) {
     auto values = values_of(plan, k);

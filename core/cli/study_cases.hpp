@@ -15,7 +15,11 @@ struct StudyCase {
   Document document;
 };
 
-/// Every combination, the last axis fastest. Throws InputError where an axis leads nowhere in the base case.
+/// Combinations that a study may have: to judge them takes about ten seconds.
+inline constexpr double most_cases = 10000;
+
+/// Every combination, the last axis fastest. Throws InputError where an axis leads nowhere in the base case, or where
+/// there are too many.
 [[nodiscard]] std::vector<StudyCase> cases_of(StudyPlan const& plan);
 
 /// The expectations that a study has of a case.

@@ -26,8 +26,10 @@ std::optional<std::string_view> nearest(std::string_view word, std::vector<std::
   std::optional<std::string_view> best;
   std::size_t least = 0;
   for (std::string_view const name : names) {
+    auto const [shorter, longer] = std::minmax({word.size(), name.size()});
+    if (3 * (longer - shorter) > longer) continue;  // so much at least they differ: a word of megabytes costs nothing
     std::size_t const distance = edit_distance(word, name);
-    if (3 * distance > std::max(word.size(), name.size())) continue;
+    if (3 * distance > longer) continue;
     if (!best || distance < least) {
       best = name;
       least = distance;

@@ -35,6 +35,14 @@ class WrongDocuments(InFolder):
         for pointer in ("/grid/spacing", "/gravity/slope_deg", "/walls/0/contact/type"):
             self.assertIn(pointer, told)
 
+    def test_a_study_of_too_many_cases_is_refused_at_once(self):
+        wrong = study("dam_break_comparison")
+        wrong["axes"] = [{"path": "/gravity/slope_deg", "values": list(range(100))}] * 40
+        wrong["expect"] = []
+        for verb in ("check", "run"):
+            process = self.talus(verb, self.save(wrong), code=3)
+            self.assertIn("at most 10000 are allowed", process.stdout + process.stderr)
+
     def test_a_value_of_an_axis_is_judged_like_that_of_a_case(self):
         wrong = changed("/axes/1/values", [0.0, 7.0], study("dam_break_comparison"))
         self.assertIn("beta", self.talus("check", self.save(wrong), code=3).stdout)
