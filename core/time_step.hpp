@@ -21,9 +21,11 @@
 ///       k (1 - h^2/(2 D_p q)) = 2                                                                                 (7)
 ///
 /// (1) is (5) with q at the worst place in a cell, and (7) with q - h^2/(2 D_p) for q. The stiffest M in D dimensions is
-/// D lambda + 2 G, of a change of volume, or 2 G where lambda < 0. Neighbours raise the bound: with lumped masses,
-/// sum_p V M |grad v|_p^2 over sum_p m sum_i N_i v_i^2 is at most its largest value for one particle. A particle moved
-/// back to the nodes before the gradient is taken (MUSL) bears longer steps.
+/// D lambda + 2 G, of a change of volume, or 2 G where lambda < 0. Neighbours raise the bound. In the constant mode that
+/// follows from the lumped masses: sum_p V M |grad v|_p^2 over sum_p m sum_i N_i v_i^2 is at most its largest value for
+/// one particle. In the affine mode it is no proof but was tried on clouds of particles, by eigenvalues. A particle moved
+/// back to the nodes before the gradient is taken (MUSL) bears longer steps. Where a kernel has a least mass of a node, the
+/// axes are coupled and (1) is 2 % too long in two dimensions; `safety` covers that.
 ///
 /// The stress is elastic at worst: plastic and viscous laws are solved at the end of the step and answer more softly.
 /// (1) is linear: a strain so large that it stiffens the law (neo-Hookean stretch) takes from the margin of `safety`.
