@@ -49,7 +49,9 @@ void change(double& value, Bytes& bytes) {
   value = number(bytes);
 }
 void change(std::int64_t& value, Bytes& bytes) {
-  value = bytes.ConsumeBool() ? value + bytes.ConsumeIntegral<signed char>() : bytes.ConsumeIntegral<std::int64_t>();
+  auto const step = static_cast<std::uint64_t>(bytes.ConsumeIntegral<std::int8_t>());  // wraps around, which is defined
+  value = bytes.ConsumeBool() ? static_cast<std::int64_t>(static_cast<std::uint64_t>(value) + step)
+                              : bytes.ConsumeIntegral<std::int64_t>();
 }
 void change(std::string& value, Bytes& bytes) {
   value = bytes.ConsumeRandomLengthString(40);
