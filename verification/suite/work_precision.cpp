@@ -14,7 +14,8 @@ constexpr double short_run = 0.3;  // [s]: what takes less is run again
 constexpr int most_runs = 3;
 
 WorkPoint measured(Problem const& problem, Scheme const& scheme, int per_direction, int cells) {
-  WorkPoint point{problem.name, problem.error_name, scheme.kernel, scheme.transfer_name(), per_direction, double(cells)};
+  WorkPoint point{problem.name,           problem.error_name, scheme.kernel,
+                  scheme.transfer_name(), per_direction,      double(cells)};
   double spent = 0;
   for (int k = 0; k < most_runs && (k == 0 || spent < short_run); ++k) {
     Cost cost;
