@@ -3,6 +3,7 @@
 ///
 ///   v_i^old = (mv)_i / m_i,   v_i* = v_i^old + dt f_i / m_i + dt g,   v_i = walls(v_i*)
 
+#include <atomic>
 #include <vector>
 
 #include "core/mirror.hpp"
@@ -80,6 +81,9 @@ class GridPass {
     std::size_t const walls = impulses.size();
     for (std::size_t k = 0; k < impulses_.size(); ++k) impulses[k % walls] += impulses_[k];
   }
+
+  /// Whether more faces touched a node than are resolved together; the velocity of that node is then of no use.
+  [[nodiscard]] bool crowded() const { return crowded_; }
 
   /// MUSL: makes the momentum of the moved particles each node's second velocity, walls applied again.
   void remap(BlockGrid<D> const& grid, double t, double dt) {
@@ -166,7 +170,7 @@ class GridPass {
   void move_block(BlockGrid<D> const& grid, std::size_t b, double t, double dt, NodeVector* sums);
   void remap_block(BlockGrid<D> const& grid, std::size_t b, double t, double dt, NodeVector* sums);
   NodeVector walled(Near const& near, int n, double t, double dt, double mass, double friction, NodeVector velocity,
-                    Point<D>* impulses) const;
+                    Point<D>* impulses);
 
   /// What a node got of the particles before the mirrors folded it.
   struct Sent {
@@ -198,6 +202,7 @@ class GridPass {
   std::vector<Before> before_;       ///< likewise
   std::vector<Point<D>> impulses_;   ///< of each node block and wall
   double mass_floor_ = 0;
+  std::atomic<bool> crowded_ = false;
 };
 
 template <int D>

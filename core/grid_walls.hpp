@@ -20,7 +20,7 @@ typename GridPass<D>::Near GridPass<D>::near(BlockGrid<D> const& grid, std::size
 /// The velocity that the walls leave node n of a block that would move with `velocity`.
 template <int D>
 NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, double mass, double friction,
-                               NodeVector velocity, Point<D>* impulses) const {
+                               NodeVector velocity, Point<D>* impulses) {
   std::array<Touch<D>, most_touches> touches;
   std::array<Point<D>, most_touches> changes;
   std::array<Surface<D>, Wall<D>::max_surfaces> surfaces;
@@ -37,10 +37,12 @@ NodeVector GridPass<D>::walled(Near const& near, int n, double t, double dt, dou
     double nearest = far_away;  // of the faces that the node does not touch
     auto const touch = [&](Point<D> const& place, double when, double slack) {
       int const faces = wall.surfaces(place, when, surfaces);
-      for (int s = 0; s < faces && count < most_touches; ++s) {
+      for (int s = 0; s < faces; ++s) {
         Surface<D> const& surface = surfaces[static_cast<std::size_t>(s)];
         if (!(surface.distance <= slack))
           nearest = std::min(nearest, surface.distance);
+        else if (count == most_touches)
+          crowded_ = true;
         else
           touches[count++] = {surface.normal, wall.velocity(t + dt), wall.contact,
                               wall.contact.material_friction ? friction : wall.contact.friction, w};

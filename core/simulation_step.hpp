@@ -68,6 +68,10 @@ void Simulation<D>::advance(double end) {
   if (drift_ > drift_limit) sort();
   if (scattered_for_ != dt) particles_to_grid(dt);
   pass_.move(grid_, time_, dt, momentum_.walls);
+  if (pass_.crowded())
+    throw RunError("more than " + std::to_string(most_touches) +
+                   " faces of walls touch one node in the step from t = " + in_short(time_) +
+                   " s; join walls into a polyline or a container, or take out those that others hide");
   if (scene_.stages->remaps) map_back(dt);
   scattered_for_ = foreseen(end);
   grid_to_particles(dt, scattered_for_);

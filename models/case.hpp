@@ -91,10 +91,10 @@ struct TimeEntry {
     return std::tuple{
         parameter(&TimeEntry::end, "end", "t_end", "s", "time at which the run ends", non_negative).required(),
         parameter(&TimeEntry::safety, "safety", "", "1", "share of the elastic bound on the time step",
-                  left_open(0, 2)),
+                  closed(1e-6, 2)),
         parameter(&TimeEntry::crossing, "crossing", "", "1", "cells that a particle may cross in a step",
-                  left_open(0, 0.5)),
-        parameter(&TimeEntry::gradient, "gradient", "", "1", "largest dt |L| of a step", left_open(0, 0.5))};
+                  closed(1e-6, 0.5)),
+        parameter(&TimeEntry::gradient, "gradient", "", "1", "largest dt |L| of a step", closed(1e-6, 0.5))};
   }
 };
 

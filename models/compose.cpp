@@ -1,6 +1,11 @@
 #include "models/compose.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iomanip>
 #include <numbers>
+#include <span>
+#include <sstream>
 
 #include "core/body.hpp"
 #include "core/experiment_of.hpp"
@@ -89,6 +94,33 @@ Filling<D> filling_of(BodyEntry const& entry, Case const& document) {
   return filling;
 }
 
+/// Warns of particles that begin inside a wall.
+template <int D>
+void find_buried(std::string const& body, Filling<D> const& filling, Scene<D> const& scene,
+                 std::vector<std::string>& warnings) {
+  std::array<Surface<D>, Wall<D>::max_surfaces> faces;
+  for (auto const& wall : scene.walls) {
+    auto const is_inside = [&](Point<D> const& x) {
+      auto const count = static_cast<std::size_t>(wall->surfaces(x, 0, faces));
+      return std::ranges::any_of(std::span(faces).first(count),
+                                 [&](Surface<D> const& s) { return s.distance < -1e-9 * scene.spacing; });
+    };
+    auto const buried = std::ranges::count_if(filling.seeds.points, is_inside);
+    if (buried > 0)
+      warnings.push_back(body + ": " + std::to_string(buried) + " of its " +
+                         std::to_string(filling.seeds.points.size()) + " particles begin inside the wall '" +
+                         wall->name + "', which will push them out");
+  }
+}
+
+/// Warns of runs that take long.
+void foretell_steps(double steps, std::vector<std::string>& warnings) {
+  if (!(steps > 1e8)) return;
+  std::ostringstream text;
+  text << "/time/end: the run takes about " << std::setprecision(1) << steps << " steps";
+  warnings.push_back(text.str());
+}
+
 std::vector<Explanation::Line> policies_of(Case const& document) {
   std::vector<Explanation::Line> lines;
   auto const add = [&](std::string const& kind, auto const& choice) {
@@ -120,7 +152,7 @@ std::vector<Explanation::Line> policies_of(Case const& document) {
 }
 
 template <class K>
-std::unique_ptr<Experiment> compose_in(Case const& document) {
+std::unique_ptr<Experiment> compose_in(Case const& document, std::vector<std::string>& warnings) {
   constexpr int D = K::dimension;
   Scene<D> scene;
   scene.spacing = document.grid.spacing;
@@ -136,19 +168,23 @@ std::unique_ptr<Experiment> compose_in(Case const& document) {
   scene.keeps_ledger = document.output.ledger.holds<ledger::EachStep>();
   scene.stages = stages_of<D>(document);
   std::vector<Filling<D>> fillings;
-  for (std::size_t k = 0; k < document.bodies.size(); ++k)
-    fillings.push_back(
-        located("/bodies/" + std::to_string(k), [&] { return filling_of<D>(document.bodies[k], document); }));
+  for (std::size_t k = 0; k < document.bodies.size(); ++k) {
+    std::string const body = "/bodies/" + std::to_string(k);
+    fillings.push_back(located(body, [&] { return filling_of<D>(document.bodies[k], document); }));
+    find_buried(body, fillings.back(), scene, warnings);
+  }
   auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
   fill(*simulation, fillings);
+  foretell_steps(document.time.end / simulation->next(document.time.end).dt, warnings);
   return std::make_unique<ExperimentOf<D>>(std::move(simulation), policies_of(document), stations_of(document));
 }
 
 }  // namespace
 
-std::unique_ptr<Experiment> compose(Case const& document) {
+std::unique_ptr<Experiment> compose(Case const& document, std::vector<std::string>& warnings) {
   std::unique_ptr<Experiment> experiment;
-  document.kinematics.visit([&]<class K>(std::type_identity<K>, auto const&) { experiment = compose_in<K>(document); });
+  document.kinematics.visit(
+      [&]<class K>(std::type_identity<K>, auto const&) { experiment = compose_in<K>(document, warnings); });
   return experiment;
 }
 

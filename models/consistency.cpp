@@ -33,19 +33,34 @@ void check_periods(Case const& document, int D, Mistakes& wrong) {
   double const block = block_edge * document.grid.spacing;
   for (std::size_t d = 0; d < periods.size(); ++d) {
     double const blocks = periods[d] / block;
-    if (std::abs(blocks - std::round(blocks)) > 1e-9 * std::max(1.0, blocks))
+    if (blocks > farthest_block)
+      wrong.push_back("/grid/periods/" + std::to_string(d) + ": longer than the space that can be addressed, " +
+                      std::to_string(farthest_block * block) + " m; take a shorter period or a coarser grid");
+    else if (std::abs(blocks - std::round(blocks)) > 1e-9 * std::max(1.0, blocks))
       wrong.push_back("/grid/periods/" + std::to_string(d) + ": " + std::to_string(periods[d]) +
                       " m is no multiple of four cells (" + std::to_string(block) + " m); the nearest are " +
                       std::to_string(std::floor(blocks) * block) + " and " + std::to_string(std::ceil(blocks) * block));
   }
 }
 
+/// Names stand in the headers of tables: no comma, quote or control character.
+bool is_a_name(std::string_view name) {
+  return !name.empty() && std::ranges::none_of(name, [](char c) {
+    auto const byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7f || c == ',' || c == '"';
+  });
+}
+
 template <class List>
 void check_names(List const& list, std::string const& where, Mistakes& wrong) {
   std::set<std::string> seen;
-  for (std::size_t k = 0; k < list.size(); ++k)
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (!is_a_name(list[k].name))
+      wrong.push_back(at(where, k, "name") + ": '" + list[k].name +
+                      "' is no name; it needs a character at least, and no comma, quote or control character");
     if (!seen.insert(list[k].name).second)
       wrong.push_back(at(where, k, "name") + ": '" + list[k].name + "' is used twice; every name must be its own");
+  }
 }
 
 void check_bodies(Case const& document, int D, Mistakes& wrong) {
@@ -67,9 +82,12 @@ void check_bodies(Case const& document, int D, Mistakes& wrong) {
   }
 }
 
-/// A mirror is flat, across an axis, and on a row of nodes.
+/// The planes that mirror, each with the number of its wall.
+using MirrorPlanes = std::vector<std::pair<MirrorPlane, std::size_t>>;
+
+/// A mirror is flat, across an axis, on a row of nodes, and the only one there.
 template <int D>
-void check_mirror(Case const& document, std::size_t k, Mistakes& wrong) {
+void check_mirror(Case const& document, std::size_t k, MirrorPlanes& planes, Mistakes& wrong) {
   WallEntry const& entry = document.walls[k];
   ContactRule rule;
   entry.contact.visit([&]<class C>(std::type_identity<C>, auto const& contact) { rule = C::rule(contact); });
@@ -83,7 +101,13 @@ void check_mirror(Case const& document, std::size_t k, Mistakes& wrong) {
     entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
       if constexpr (std::is_same_v<S, wall::HalfSpace>) try {
           auto const wall = make_wall<D, S, wall::Stick, M>(entry.name, shape, {}, motion);
-          int const axis = mirror_plane<D>(*wall, document.grid.spacing).axis;
+          MirrorPlane const plane = mirror_plane<D>(*wall, document.grid.spacing);
+          for (auto const& [other, number] : planes)
+            if (other.axis == plane.axis && other.row == plane.row)
+              wrong.push_back(at("walls", k, "shape") + ": '" + document.walls[number].name +
+                              "' mirrors at the same plane; take one of the two out");
+          planes.emplace_back(plane, k);
+          int const axis = plane.axis;
           auto const& periods = document.grid.periods;
           if (static_cast<std::size_t>(axis) < periods.size() && periods[static_cast<std::size_t>(axis)] > 0)
             wrong.push_back(
@@ -101,6 +125,7 @@ void check_walls(Case const& document, int D, Mistakes& wrong) {
   if (document.walls.size() > most_walls)
     wrong.push_back("/walls: found " + std::to_string(document.walls.size()) + " walls; at most " +
                     std::to_string(most_walls) + " are allowed: join some into a polyline or a container");
+  MirrorPlanes planes;
   for (std::size_t k = 0; k < document.walls.size(); ++k) {
     WallEntry const& entry = document.walls[k];
     entry.shape.visit([&]<class S>(std::type_identity<S>, auto const&) {
@@ -108,7 +133,7 @@ void check_walls(Case const& document, int D, Mistakes& wrong) {
         wrong.push_back(at("walls", k, "shape") + ": a " + std::string(S::name) + " is not for " + std::to_string(D) +
                         " dimensions");
     });
-    D == 2 ? check_mirror<2>(document, k, wrong) : check_mirror<3>(document, k, wrong);
+    D == 2 ? check_mirror<2>(document, k, planes, wrong) : check_mirror<3>(document, k, planes, wrong);
     if (!entry.contact.holds<wall::MaterialFriction>()) continue;
     for (MaterialEntry const& m : document.materials)
       if (!m.law->has_friction())
@@ -162,6 +187,7 @@ std::vector<std::string> inconsistencies(Case const& document) {
   check_names(document.walls, "walls", wrong);
   check_bodies(document, D, wrong);
   check_walls(document, D, wrong);
+  check_gaps(document, D, wrong);
   check_stations(document, D, wrong);
   check_measures(document, D, wrong);
   return wrong;

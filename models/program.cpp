@@ -101,7 +101,7 @@ class Models final : public Program {
         if constexpr (requires { parameters.seed; }) composed.plan.seed = static_cast<std::uint64_t>(parameters.seed);
       });
     for (Expectation const& e : values.expect) composed.plan.expect.push_back(expected_of(e));
-    composed.experiment = talus::compose(values);
+    composed.experiment = talus::compose(values, composed.warnings);
     return composed;
   }
 

@@ -6,10 +6,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <functional>
 
 #include "core/build_info.hpp"
+#include "core/cli/outcome.hpp"
 #include "core/cli/runner.hpp"
 #include "core/cli/show.hpp"
 #include "core/config/nearest.hpp"
@@ -88,7 +88,12 @@ void add_run_options(CLI::App* verb, Arguments& a) {
   verb->add_option("-t,--threads", a.run.threads,
                    "Threads; 0: as many as the machine offers. Results do not depend on it.")
       ->check(CLI::Range(0, 1024));
-  verb->add_option("--until", a.run.until, "Stop at the first step at or after this time [s] and write a checkpoint.");
+  verb->add_option("--until", a.run.until, "Stop at the first step at or after this time [s] and write a checkpoint.")
+      ->check([](std::string const& text) {
+        double time = -1;
+        bool const is_time = CLI::detail::lexical_cast(text, time) && time >= 0;
+        return is_time ? std::string() : "'" + text + "' is no time; a number of 0 or more, in s, is needed";
+      });
   add_quiet_options(verb, a);
 }
 
@@ -197,22 +202,10 @@ bool refuse_unknown_verb(CLI::App const& app, std::string const& verb) {
   return true;
 }
 
-/// The exit code of what a verb threw; the message goes to standard error.
-int told(std::exception const& error) {
-  fmt::print(stderr, "talus: {}\n", error.what());
-  if (dynamic_cast<InputError const*>(&error) != nullptr) return input_invalid;
-  if (dynamic_cast<RunError const*>(&error) != nullptr) return computation_failed;
-  if (dynamic_cast<CheckpointError const*>(&error) != nullptr) return checkpoint_unusable;
-  if (dynamic_cast<FileError const*>(&error) != nullptr) return file_system_error;
-  if (dynamic_cast<std::filesystem::filesystem_error const*>(&error) != nullptr) return file_system_error;
-  fmt::print(stderr, "This is a mistake in Talus; please report it with the command and the document.\n");
-  return internal_error;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is then an error of the call that writes it, as on a full disk
+  take_failed_writes_as_errors();
   Arguments arguments;
   Verb chosen;
   arguments.run.command_line.assign(argv, argv + argc);
@@ -235,9 +228,9 @@ int main(int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-' && refuse_unknown_verb(app, argv[1])) return usage_error;
   try {
     app.parse(argc, argv);
-    return chosen();
+    return after_output(chosen());
   } catch (CLI::ParseError const& error) {
-    return app.exit(error) == 0 ? done : usage_error;
+    return after_output(app.exit(error) == 0 ? done : usage_error);
   } catch (std::exception const& error) {
     return told(error);
   }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/cli/runner.hpp"
+#include "core/cli/stopping.hpp"
 #include "core/cli/study_cases.hpp"
 #include "core/io/curve_page.hpp"
 #include "core/io/files.hpp"
@@ -17,12 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Thrown out of a path where a signal asked to stop.
+struct StopAsked {};
+
 /// A point that went its way, or part of it.
 struct PointRun {
   std::string label, folder, failure;
   std::vector<nlohmann::json> at;
   std::vector<Quantity> quantities;
   std::vector<double> end;  ///< last row of the series
+  bool stopped = false;     ///< by a signal
 
   /// Place of a column; none where the law of this run has no such quantity.
   [[nodiscard]] std::optional<std::size_t> column(std::string const& name) const {
@@ -39,13 +44,14 @@ PointRun run_point_case(StudyCase const& study_case, fs::path const& root, std::
     for (std::string const& warning : composed.warnings) fmt::print(stderr, "warning: {}\n", warning);
   fs::create_directories(root / folder);
   io::write_atomically(root / folder / "resolved.json", composed.resolved.dump(2) + "\n");
-  PointRun run{study_case.label, folder, {}, study_case.values, composed.point->quantities(), {}};
+  PointRun run{study_case.label, folder, {}, study_case.values, composed.point->quantities(), {}, false};
   std::vector<io::SeriesColumn> columns;
   for (Quantity const& q : run.quantities) columns.push_back({q.name, q.unit});
   io::SeriesWriter series(root / folder / "series.csv", columns);
   auto const record = [&] {
     run.end = composed.point->measure();
     series.append(run.end);
+    if (stop_asked()) throw StopAsked();
   };
   try {
     record();
@@ -59,6 +65,9 @@ PointRun run_point_case(StudyCase const& study_case, fs::path const& root, std::
   } catch (RunError const& error) {
     run.failure = error.what();
     fmt::print(stderr, "{}the computation failed: {}\n", run.label.empty() ? "" : run.label + ": ", run.failure);
+  } catch (StopAsked const&) {
+    run.stopped = true;
+    fmt::print(stderr, "stopped by a signal; the rows so far are in {}\n", (root / folder).string());
   }
   return run;
 }
@@ -155,9 +164,14 @@ RunResult run_point(Document const& document, std::string_view given, RunOptions
   std::vector<StudyCase> const cases = begin_study(plan, document, given, options);
   RunResult total;
   std::vector<PointRun> runs;
+  note_stop_signals();
   for (std::size_t k = 0; k < cases.size(); ++k) {
     runs.push_back(run_point_case(cases[k], options.folder, fmt::format("cases/case_{:03}", k), options.quiet));
     if (!runs.back().failure.empty()) total.code = computation_failed;
+    if (runs.back().stopped) {
+      total.code = stopped;
+      break;
+    }
     io::Series const series = io::read_series(options.folder / runs.back().folder / "series.csv");
     for (Verdict const& v : judge(expected_at(plan, cases[k]), series, cases[k].label)) total.verdicts.push_back(v);
   }

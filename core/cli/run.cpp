@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <csignal>
 
+#include "core/cli/stopping.hpp"
 #include "core/io/hash.hpp"
 #include "core/io/machine.hpp"
 #include "core/io/pictures.hpp"
@@ -12,16 +12,6 @@
 #include "core/parallel.hpp"
 
 namespace talus::cli {
-
-namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-
-extern "C" void note_signal(int number) {
-  stop_signal = number;
-}
-
-}  // namespace
 
 void Run::begin_new() {
   series_.emplace(folder_.series(), columns_);
@@ -103,9 +93,9 @@ ExitCode Run::step_to_the_end() {
   auto const particles = static_cast<std::int64_t>(experiment().particles());
   write_outputs(false);
   while (experiment().time() < end) {
-    if (experiment().time() >= options_.until || stop_signal != 0) {
+    if (experiment().time() >= options_.until || stop_asked()) {
       write_checkpoint();
-      return stop_signal != 0 ? stopped : done;
+      return stop_asked() ? stopped : done;
     }
     experiment().advance(end);
     write_outputs(experiment().time() >= end);
@@ -197,8 +187,6 @@ std::string Run::way_on() const {
 }
 
 RunResult Run::go() {
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
   try {
     return finish(compute());
   } catch (FileError const& error) {

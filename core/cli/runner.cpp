@@ -4,6 +4,7 @@
 
 #include "core/cli/run.hpp"
 #include "core/cli/show.hpp"
+#include "core/cli/stopping.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hash.hpp"
 #include "core/parallel.hpp"
@@ -64,6 +65,7 @@ void warn_of_another_build(io::Checkpoint const& saved, RunOptions const& option
 }  // namespace
 
 RunResult run_case(Document const& document, std::string_view given, RunOptions const& options) {
+  note_stop_signals();
   if (options.threads > 0) set_thread_count(options.threads);
   Composed composed = program().compose(document);
   if (!options.quiet)
@@ -78,6 +80,7 @@ RunResult run_case(Document const& document, std::string_view given, RunOptions 
 }
 
 RunResult resume_case(RunOptions const& options) {
+  note_stop_signals();
   if (options.threads > 0) set_thread_count(options.threads);
   io::RunFolder folder = io::RunFolder::open(options.folder);
   Document const document = case_in(options.folder);

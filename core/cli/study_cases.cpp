@@ -6,6 +6,9 @@ namespace talus::cli {
 
 namespace {
 
+/// All cases of a study are held in memory before the first one runs.
+constexpr std::size_t most_cases = 10'000;
+
 std::vector<nlohmann::json> values_of(StudyPlan const& plan, std::size_t k) {
   std::vector<nlohmann::json> values(plan.axes.size());
   for (std::size_t a = plan.axes.size(); a-- > 0;) {
@@ -45,12 +48,14 @@ Document document_of(StudyPlan const& plan, std::vector<nlohmann::json> const& v
 }  // namespace
 
 std::vector<StudyCase> cases_of(StudyPlan const& plan) {
-  double combinations = 1;
-  for (StudyAxis const& axis : plan.axes) combinations *= static_cast<double>(axis.values.size());
-  if (combinations > most_cases)
-    throw InputError(fmt::format("/axes: found {} combinations of values; at most {} are allowed: split the study",
-                                 combinations, most_cases));
-  auto const count = static_cast<std::size_t>(combinations);
+  std::size_t count = 1;
+  for (StudyAxis const& axis : plan.axes) {
+    count *= axis.values.size();
+    if (count > most_cases)
+      throw InputError(
+          fmt::format("/axes: found more combinations of their values than {}; at most {} are allowed: split the study",
+                      most_cases, most_cases));
+  }
   std::vector<StudyCase> cases;
   for (std::size_t k = 0; k < count; ++k) {
     auto values = values_of(plan, k);

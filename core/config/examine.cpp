@@ -82,6 +82,9 @@ std::string did_you_mean(std::optional<std::string_view> name) {
   return name ? "did you mean " + in_quotes(*name) + '?' : "";
 }
 
+/// Of any quantity: squares of it, and products with other ones, stay finite.
+constexpr double largest_number = 1e100;
+
 /// One walk over a value and its outline.
 class Examination {
  public:
@@ -152,7 +155,9 @@ class Examination {
     if ((outline.kind == Kind::integer && !is_whole) || !row.range.contains(x)) {
       return wrong_kind(value, outline, pointer);
     }
-    if (!outline.possible.contains(x)) {
+    if (std::abs(x) > largest_number) {
+      reader_.refuse(pointer, words_for(value), "at most 1e+100 in size", "beyond it, products of numbers overflow");
+    } else if (!outline.possible.contains(x)) {
       reader_.refuse(pointer, words_for(value), words_for(outline.kind, outline.possible, row.unit));
     } else if (!row.tried.contains(x)) {
       reader_.warn(pointer, words_for(value),

@@ -145,9 +145,10 @@ void refuse_duplicates(Places const& places, std::string const& name) {
   std::string all;
   for (auto const& duplicate : places.duplicates()) {
     if (!all.empty()) all += '\n';
+    std::string const pointer = json(duplicate.pointer).dump();  // a terminal obeys no control character in it
     all += name + ':' + std::to_string(duplicate.second.line) + ':' + std::to_string(duplicate.second.column) + ": " +
-           duplicate.pointer + ": given twice, first in line " + std::to_string(duplicate.first.line) +
-           "; remove one of them";
+           pointer.substr(1, pointer.size() - 2) + ": given twice, first in line " +
+           std::to_string(duplicate.first.line) + "; remove one of them";
   }
   if (!all.empty()) throw InputError(all);
 }

@@ -6,6 +6,10 @@
 namespace talus {
 
 namespace {
+
+/// Names given twice are told up to this number: to compare each with all others takes time.
+constexpr std::size_t most_duplicates = 100;
+
 bool begins_a_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
@@ -107,7 +111,8 @@ class Scan {
                                                               : nlohmann::json::parse(quoted).get<std::string>();
     pointer_ = open_.back().pointer + '/' + pointer_part(name);
     auto const [known, is_new] = into_.places_.emplace(pointer_, place);
-    if (!is_new && !is_within_a_duplicate()) into_.duplicates_.push_back({pointer_, known->second, place});
+    if (!is_new && into_.duplicates_.size() < most_duplicates && !is_within_a_duplicate())
+      into_.duplicates_.push_back({pointer_, known->second, place});
   }
 
   [[nodiscard]] bool is_within_a_duplicate() const {

@@ -7,13 +7,31 @@ namespace talus {
 
 using nlohmann::json;
 
+namespace {
+
+/// What the user wrote, without what a terminal would obey: control characters become \u00XX.
+std::string printable(std::string_view text) {
+  static constexpr std::string_view digits = "0123456789abcdef";
+  std::string shown;
+  for (char const c : text) {
+    auto const byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7f)
+      shown += c;
+    else
+      shown.append("\\u00").append({digits[byte >> 4U], digits[byte & 15U]});
+  }
+  return shown;
+}
+
+}  // namespace
+
 std::string Mistake::text(std::string_view document) const {
   std::string all(document);
   if (place.is_known()) all += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
   all += ": " + (pointer.empty() ? "the document" : pointer) + ": ";
   all += expected.empty() ? found : "found " + found + "; expected: " + expected;
   if (!advice.empty()) all += "; " + advice;
-  return all;
+  return printable(all);
 }
 
 Reader::Reader(Document const& document, int space) : name(document.name), places(document.places), dimension(space) {}

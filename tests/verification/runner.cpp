@@ -122,6 +122,16 @@ BOOST_AUTO_TEST_CASE(results_stand_in_the_order_of_the_cases) {
   BOOST_TEST(results[3].findings.rows.at(0).found == 1);  // one thread, for cases run side by side
 }
 
+BOOST_AUTO_TEST_CASE(an_interruption_keeps_what_is_done_and_names_the_rest) {
+  bool asked = false;
+  auto const results = results_of(
+      {one("quick", note_threads), one("endless", hang), one("late", note_threads)},
+      {.jobs = 2, .finished = [&](auto const&, auto) { asked = true; }, .interrupted = [&] { return asked; }});
+  BOOST_TEST(results[0].findings.rows.at(0).found == 1);
+  BOOST_TEST(results[1].findings.rows.at(0).because == "the suite was stopped by a signal before its end");
+  BOOST_TEST(results[2].findings.rows.at(0).because == "not begun: the suite was stopped by a signal");
+}
+
 BOOST_AUTO_TEST_CASE(memory_and_time_are_of_the_case_alone) {
   auto const results = results_of({one("memory", hold_memory), one("little", note_threads)});
   BOOST_TEST(results[0].peak_memory > 80'000'000);

@@ -12,6 +12,8 @@
 #include <thread>
 
 #include "core/cli/exit_codes.hpp"
+#include "core/cli/outcome.hpp"
+#include "core/cli/stopping.hpp"
 #include "core/errors.hpp"
 #include "core/io/columns.hpp"
 #include "core/io/files.hpp"
@@ -103,11 +105,12 @@ bool in_colour() {
 }
 
 Report run(std::vector<Case const*> const& cases, Arguments const& a) {
+  cli::note_stop_signals();
   auto const start = io::utc_now();
   auto const begin = std::chrono::steady_clock::now();
   Talk const talk(a.quiet, cases.size());
   Report report;
-  report.results = run_cases(cases, {.jobs = a.jobs, .finished = talk});
+  report.results = run_cases(cases, {.jobs = a.jobs, .finished = talk, .interrupted = cli::stop_asked});
   talk.end();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   report.jobs = a.jobs;
@@ -142,6 +145,10 @@ int verify(Arguments const& a) {
   if (!a.folder.empty()) write_folder(a.folder, report);
   if (!a.markdown.empty()) io::write_atomically(a.markdown, markdown_of(report));
   if (!a.folder.empty() && !a.quiet) fmt::print(stderr, "results in {}\n", a.folder);
+  if (cli::stop_asked()) {
+    fmt::print(stderr, "talus verify: stopped by a signal; the cases that were done are in the results\n");
+    return cli::stopped;
+  }
   return is_green(totals(report.results)) ? cli::done : cli::expectation_failed;
 }
 
@@ -155,6 +162,7 @@ int told(std::exception const& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::take_failed_writes_as_errors();
   Arguments arguments;
   arguments.command_line.assign(argv, argv + argc);
   CLI::App app{"The verification suite: every row says what was expected, what came out, and how sure it is.",
@@ -162,7 +170,7 @@ int main(int argc, char** argv) {
   declare(app, arguments);
   try {
     app.parse(argc, argv);
-    return verify(arguments);
+    return cli::after_output(verify(arguments));
   } catch (CLI::ParseError const& error) {
     return app.exit(error) == 0 ? cli::done : cli::usage_error;
   } catch (std::exception const& error) {

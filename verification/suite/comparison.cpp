@@ -46,6 +46,12 @@ Result const* find(std::vector<Result> const& results, std::string const& id) {
   return found == results.end() ? nullptr : &*found;
 }
 
+/// A member that is a text; nothing where it is missing or something else.
+std::string text_of(nlohmann::json const& object, char const* name) {
+  auto const found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 nlohmann::json change_document(Change const& change) {
   nlohmann::json document{
       {"case", change.id}, {"subject", change.subject}, {"measure", change.measure}, {"unit", change.unit}};
@@ -80,8 +86,8 @@ Comparison compare_with(std::vector<Result> const& results, std::string const& f
   Comparison comparison = compare(results, results_of(document));
   comparison.folder = folder;
   if (auto const provenance = document.find("provenance"); provenance != document.end() && provenance->is_object()) {
-    comparison.version = provenance->value("version", "");
-    comparison.start = provenance->value("start", "");
+    comparison.version = text_of(*provenance, "version");
+    comparison.start = text_of(*provenance, "start");
   }
   return comparison;
 }

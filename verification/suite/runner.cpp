@@ -57,7 +57,8 @@ Findings found_by(Case const& one) {
 /// The child's life: it never returns into the parent's code, however it ends, and flushes nothing of the parent's.
 [[noreturn]] void live(Case const& one, int pipe, bool alone) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (int const signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(signal, SIG_DFL);
+  for (int const signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, SIG_DFL);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   if (!alone) set_thread_count(1);
   std::string const text = document_of(found_by(one)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -94,6 +95,7 @@ class Runner {
 
   std::vector<Result> run() {
     while (!waiting_.empty() || !running_.empty()) {
+      if (!interrupted_ && options_.interrupted && options_.interrupted()) abandon();
       while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(std::max(1, options_.jobs))) start();
       listen();
     }
@@ -114,7 +116,18 @@ class Runner {
     running_.push_back({place, process, std::move(read), Clock::now()});
   }
 
-  /// Waits until a child says something or has taken too long.
+  void abandon() {
+    interrupted_ = true;
+    for (std::size_t const place : waiting_)
+      add_error(results_[place].findings, "not begun: the suite was stopped by a signal");
+    waiting_.clear();
+    for (Child& child : running_) {
+      child.stopped = true;
+      kill(child.process, SIGKILL);
+    }
+  }
+
+  /// Waits until a child says something or has taken too long, or a signal comes.
   void listen() {
     std::vector<pollfd> open;
     double left = 3600;
@@ -122,7 +135,7 @@ class Runner {
       open.push_back({child.pipe.number(), POLLIN, 0});
       if (!child.stopped) left = std::min(left, allowance(child) - seconds_since(child.begin));
     }
-    poll(open.data(), open.size(), static_cast<int>(1000 * std::max(0., left)) + 1);
+    if (poll(open.data(), open.size(), static_cast<int>(1000 * std::max(0., left)) + 1) < 0) return;
     for (std::size_t k = running_.size(); k-- > 0;) {
       Child& child = running_[k];
       if (open[k].revents != 0 && !hear(child)) {
@@ -165,6 +178,7 @@ class Runner {
 
   [[nodiscard]] std::string reason(Child const& child, int status) const {
     double const budget = cases_[child.place]->budget;
+    if (interrupted_) return "the suite was stopped by a signal before its end";
     if (child.stopped)
       return fmt::format("stopped after {} s, {} times its budget of {} s", options_.patience * budget,
                          options_.patience, budget);
@@ -178,6 +192,7 @@ class Runner {
   std::vector<Result> results_;
   std::vector<std::size_t> waiting_;  ///< the next one at the back
   std::vector<Child> running_;
+  bool interrupted_ = false;
 };
 
 }  // namespace

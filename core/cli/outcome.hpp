@@ -1,0 +1,17 @@
+#pragma once
+/// How the program ends: what failed becomes an exit code and a word.
+
+#include <exception>
+
+namespace talus::cli {
+
+/// A write beyond a limit or into a closed pipe becomes an error that is told, in place of a signal that kills.
+void take_failed_writes_as_errors();
+
+/// The exit code once all that was printed has arrived.
+[[nodiscard]] int after_output(int code);
+
+/// The exit code of what a verb threw; the message goes to standard error.
+[[nodiscard]] int told(std::exception const& error);
+
+}  // namespace talus::cli
