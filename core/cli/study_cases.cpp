@@ -7,7 +7,6 @@ namespace talus::cli {
 namespace {
 
 /// All cases of a study are held in memory before the first one runs.
-constexpr std::size_t most_cases = 10'000;
 
 std::vector<nlohmann::json> values_of(StudyPlan const& plan, std::size_t k) {
   std::vector<nlohmann::json> values(plan.axes.size());

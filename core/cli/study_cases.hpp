@@ -16,7 +16,7 @@ struct StudyCase {
 };
 
 /// Combinations that a study may have: to judge them takes about ten seconds.
-inline constexpr double most_cases = 10000;
+inline constexpr std::size_t most_cases = 10'000;
 
 /// Every combination, the last axis fastest. Throws InputError where an axis leads nowhere in the base case, or where
 /// there are too many.

@@ -10,7 +10,6 @@
 #include "core/cli/program.hpp"
 #include "core/io/files.hpp"
 #include "verification/reference/flow/fluid.hpp"
-#include "verification/reference/flow/interpolated.hpp"
 #include "verification/suite/places.hpp"
 
 namespace talus::verification {
@@ -31,34 +30,45 @@ std::vector<FlowSample> samples_of(Snapshot const& snapshot) {
   return samples;
 }
 
+/// Means of y and p, and how p lies about its line over y: sums of products about the means (Welford).
+struct Spread {
+  double n = 0, mean_y = 0, mean_p = 0, yy = 0, yp = 0, pp = 0;
+
+  void add(double y, double p) {
+    n += 1;
+    double const from_y = y - mean_y, from_p = p - mean_p;
+    mean_y += from_y / n;
+    mean_p += from_p / n;
+    yy += from_y * (y - mean_y);
+    yp += from_y * (p - mean_p);
+    pp += from_p * (p - mean_p);
+  }
+  [[nodiscard]] double about_line() const { return std::sqrt(std::max(0.0, pp - (yy > 0 ? yp * yp / yy : 0)) / n); }
+};
+
 }  // namespace
 
 FlowProfile profile_of(std::vector<FlowSample> samples, reference::Elasticity const& elastic) {
   std::ranges::sort(samples, {}, &FlowSample::y);
   std::size_t const n = samples.size();
   FlowProfile profile;
-  std::vector<double> square(slices), count(slices);
+  std::vector<Spread> spreads(slices);
   for (std::size_t k = 0; k < n; ++k) {
     FlowSample const& one = samples[k];
     std::size_t const s = k * slices / n;
     double const volume = one.eps_xx + one.eps_yy, pressure = -elastic.K() * volume;
-    profile.y[s] += one.y;
+    spreads[s].add(one.y, pressure);
     profile.u[s] += one.u;
-    profile.pressure[s] += pressure;
     profile.shear_stress[s] += 2 * elastic.G() * one.eps_xy;
     profile.normal_stress[s] -= elastic.lambda() * volume + 2 * elastic.G() * one.eps_yy;
-    square[s] += pressure * pressure;
-    count[s] += 1;
     profile.thickness += 2 * one.y / double(n);
     profile.stretch += std::exp(volume + one.eps_V) / double(n);
   }
   for (std::size_t s = 0; s < slices; ++s) {
-    for (auto* list :
-         {&profile.y, &profile.u, &profile.pressure, &profile.shear_stress, &profile.normal_stress, &square})
-      (*list)[s] /= count[s];
-    double const mean = profile.pressure[s];
-    if (s >= 2 && s < slices - 2)
-      profile.scatter += std::sqrt(std::max(0.0, square[s] / (mean * mean) - 1)) / (slices - 4);
+    for (auto* list : {&profile.u, &profile.shear_stress, &profile.normal_stress}) (*list)[s] /= spreads[s].n;
+    profile.y[s] = spreads[s].mean_y;
+    profile.pressure[s] = spreads[s].mean_p;
+    if (s >= 2 && s < slices - 2) profile.scatter += spreads[s].about_line() / spreads[s].mean_p / (slices - 4);
   }
   return profile;
 }
@@ -120,12 +130,25 @@ FlowProfile mean_of(std::vector<FlowProfile> const& profiles) {
   return mean;
 }
 
-double profile_error(FlowProfile const& profile, std::vector<double> const& y, std::vector<double> const& u) {
+ExactProfile sliced(std::vector<double> const& y, std::vector<double> const& u) {
+  ExactProfile exact;
+  double const share = double(slices) / double(y.size());
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    exact.y[k * slices / y.size()] += share * y[k];
+    exact.u[k * slices / y.size()] += share * u[k];
+  }
+  return exact;
+}
+
+double profile_error(FlowProfile const& profile, ExactProfile const& exact) {
   double off = 0, all = 0;
   for (std::size_t s = 0; s < slices; ++s) {
-    double const exact = reference::flow::interpolated(y, u, std::min(profile.y[s], y.back()));
-    off += (profile.u[s] - exact) * (profile.u[s] - exact);
-    all += exact * exact;
+    auto const above = std::ranges::upper_bound(exact.y, profile.y[s]) - exact.y.begin();
+    auto const k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, slices - 1));
+    double const slope = (exact.u[k] - exact.u[k - 1]) / (exact.y[k] - exact.y[k - 1]);
+    double const u = exact.u[k] + slope * (profile.y[s] - exact.y[k]);
+    off += (profile.u[s] - u) * (profile.u[s] - u);
+    all += u * u;
   }
   return std::sqrt(off / all);
 }

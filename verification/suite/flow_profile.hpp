@@ -31,7 +31,8 @@ struct FlowProfile {
   std::vector<double> pressure = y, shear_stress = y, normal_stress = y;  ///< p, tau_xy, -tau_yy [Pa]
   double thickness = 0;                                                   ///< twice the mean height [m]
   double stretch = 0;                                                     ///< volume over unstrained volume, J [1]
-  double scatter = 0;  ///< standard deviation of p in a slice over its mean, mean of the inner slices [1]
+  double scatter =
+      0;  ///< standard deviation of p about its line over y in a slice, over its mean; of the inner ones [1]
 
   /// Of the uppermost slice: 5 % of the mass [m/s].
   [[nodiscard]] double surface() const { return u.back(); }
@@ -51,9 +52,15 @@ struct FlowSample {
 
 [[nodiscard]] FlowProfile mean_of(std::vector<FlowProfile> const& profiles);
 
-/// sqrt(sum (u - u_exact)^2 / sum u_exact^2) over the slices at their heights, where y and u are the exact profile.
-[[nodiscard]] double profile_error(FlowProfile const& profile, std::vector<double> const& y,
-                                   std::vector<double> const& u);
+/// An exact profile as slices of equal mass see it: means of heights [m] and speeds [m/s] from the lowest on.
+struct ExactProfile {
+  std::vector<double> y = std::vector<double>(slices), u = y;
+};
+/// Of heights and speeds at the middles of parts of equal mass, `slices` times as many as a whole number.
+[[nodiscard]] ExactProfile sliced(std::vector<double> const& y, std::vector<double> const& u);
+
+/// sqrt(sum (u - u_exact)^2 / sum u_exact^2) over the slices at their heights; the exact one is linear between its own.
+[[nodiscard]] double profile_error(FlowProfile const& profile, ExactProfile const& exact);
 
 /// n + 1 times from `from` to `to`.
 [[nodiscard]] std::vector<double> evenly(double from, double to, int n);

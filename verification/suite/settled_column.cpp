@@ -1,5 +1,7 @@
 #include "verification/suite/settled_column.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +13,8 @@
 #include "models/boundaries/shapes/half_space.hpp"
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/laws/cam_clay_mu_i.hpp"
+#include "verification/reference/flow/interpolated.hpp"
+#include "verification/reference/flow/motion.hpp"
 #include "verification/suite/setup.hpp"
 
 namespace talus::verification {
@@ -21,8 +25,8 @@ using reference::flow::CompressiblePluggedLayer;
 
 constexpr std::size_t places = 2000;  // of equal mass in a SteadyLayer
 
-double unstrained_height(CompressiblePluggedLayer const& layer, std::size_t k) {
-  return layer.layer.h_0 * (double(k) + 0.5) / double(places);
+double unstrained_height(double h_0, std::size_t k) {
+  return h_0 * (double(k) + 0.5) / double(places);
 }
 
 /// What all particles of a row begin with.
@@ -55,7 +59,8 @@ std::vector<Seed<2>> seeds_of(SettledColumn const& column, std::vector<Row> cons
       seed.C(0, 1) = (column.speed(row.Y + half) - column.speed(row.Y - half)) / (2 * half * row.stretch);
       seed.mass = fluid.density * apart * apart;
       double const each = -row.p / (2 * fluid.elastic.K());
-      seed.strain = {each, each, 0};
+      double const shear = column.sheared ? row.p * std::tan(column.layer.layer.slope) / (2 * fluid.elastic.G()) : 0;
+      seed.strain = {each, each, shear};
       seeds.push_back(seed);
     }
   return seeds;
@@ -103,13 +108,14 @@ std::vector<FlowSample> samples_of(Simulation<2> const& simulation) {
 
 }  // namespace
 
-reference::flow::CompressiblePluggedLayer bead_layer(double slope_deg, double beta, double kept) {
-  return {{reference::flow::glass_beads(40, beta), reference::flow::radians(slope_deg), FlowColumn::height}, kept};
+CompressiblePluggedLayer bead_layer(double slope, double beta, double kept, double limiting_angle) {
+  return {{reference::flow::glass_beads(limiting_angle, beta), reference::flow::radians(slope), FlowColumn::height},
+          kept};
 }
 
 SteadyLayer::SteadyLayer(CompressiblePluggedLayer const& layer) {
   std::vector<double> Y;
-  for (std::size_t k = 0; k < places; ++k) Y.push_back(unstrained_height(layer, k));
+  for (std::size_t k = 0; k < places; ++k) Y.push_back(unstrained_height(layer.layer.h_0, k));
   double J = 0;
   for (double const at : Y) J += layer.stretch(at) / double(places);
   solid_fraction = layer.layer.fluid.solid_fraction() / J;
@@ -118,19 +124,18 @@ SteadyLayer::SteadyLayer(CompressiblePluggedLayer const& layer) {
       y.push_back(layer.height(at));
       u.push_back(layer.speed(reference::flow::speed_by_quadrature, at));
     }
-    y.push_back(layer.height(layer.layer.h_0));
-    u.push_back(u.back());
+    top_speed = u.back();
   } else {
-    auto const profile = profile_by_quadrature(layer.layer, Y);
-    for (auto const& at : profile.at) y.push_back(at.y), u.push_back(at.u);
-    y.push_back(profile.h);
-    u.push_back(profile.surface_speed);
+    auto const exact = profile_by_quadrature(layer.layer, Y);
+    for (auto const& at : exact.at) y.push_back(at.y), u.push_back(at.u);
+    top_speed = exact.surface_speed;
   }
-  thickness = 2 * std::accumulate(y.begin(), y.end() - 1, 0.0) / double(places);
-  surface = std::accumulate(u.end() - 1 - places / 20, u.end() - 1, 0.0) / double(places / 20);
+  profile = sliced(y, u);
+  thickness = 2 * std::accumulate(y.begin(), y.end(), 0.0) / double(places);
 }
 
 double SteadyLayer::speed(double below) const {
+  if (below < 0) return -speed(-below);
   double const place = std::clamp(below * double(places) - 0.5, 0.0, double(places) - 1);
   auto const k = std::min(static_cast<std::size_t>(place), places - 2);
   return u[k] + (place - double(k)) * (u[k + 1] - u[k]);
@@ -152,7 +157,53 @@ std::vector<FlowProfile> profiles_of(SettledColumn const& column, std::vector<do
 
 SettledColumn steady_column(CompressiblePluggedLayer const& layer, SteadyLayer const& exact, int cells) {
   double const h_0 = layer.layer.h_0;
-  return {layer, [exact, h_0](double Y) { return exact.speed(Y / h_0); }, cells};
+  return {layer, [exact, h_0](double Y) { return exact.speed(Y / h_0); }, true, cells};
+}
+
+void compare_with_layer(Findings& findings, std::string const& name, FlowProfile const& flow, SteadyLayer const& exact,
+                        double asked, std::string const& because, Cost const& cost) {
+  double const surface = flow.surface() / exact.surface() - 1, profile = profile_error(flow, exact.profile);
+  if (asked > 0) {
+    findings.check(name, "error of the surface speed", surface, {-asked, asked}, because, cost);
+    findings.check(name, "error of the profile", profile, at_most(asked), because);
+  } else {
+    findings.note(name, "error of the surface speed", surface, because, cost);
+    findings.note(name, "error of the profile", profile, because);
+  }
+}
+
+std::vector<ExactProfile> exact_motion(reference::flow::CompressibleLayer const& layer,
+                                       std::function<double(double)> const& speed, std::vector<double> const& times) {
+  using reference::flow::interpolated;
+  reference::flow::Motion const motion{layer.fluid, layer.slope, layer.h_0, reference::flow::Motion::Volume::critical,
+                                       speed,       false};
+  std::vector<ExactProfile> profiles;
+  for (auto const& at : extrapolated_motion(motion, 100, times, 1e-9).at) {
+    std::vector<double> y, u;
+    for (std::size_t k = 0; k < places; ++k) {
+      double const Y = unstrained_height(layer.h_0, k);
+      y.push_back(interpolated(at.Y, at.y, Y));
+      u.push_back(interpolated(at.Y, at.u, Y));
+    }
+    profiles.push_back(sliced(y, u));
+  }
+  return profiles;
+}
+
+Moved check_motion(Findings& findings, std::string const& name, SettledColumn const& column,
+                   std::vector<double> const& times, double bar) {
+  Cost cost;
+  Moved moved{profiles_of(column, times, cost), exact_motion(column.layer.layer, column.speed, times)};
+  Plot plot{name + ": u over y", "y [m]", "u [m/s]"};
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    findings.check(name, fmt::format("error of the profile at {:.3g} s", times[k]),
+                   profile_error(moved.found[k], moved.exact[k]), at_most(bar),
+                   fmt::format("{:g} %; method of lines by CVODE, extrapolated", 100 * bar), k == 0 ? cost : Cost{});
+    plot.curves.push_back({fmt::format("{:.3g} s", times[k]), moved.found[k].y, moved.found[k].u});
+    plot.curves.push_back({fmt::format("exact, {:.3g} s", times[k]), moved.exact[k].y, moved.exact[k].u, true});
+  }
+  findings.plots.push_back(plot);
+  return moved;
 }
 
 }  // namespace talus::verification

@@ -132,7 +132,7 @@ void against_layer(Findings& findings, std::string const& name, Fluid fluid, Fou
   fluid.elastic.E = E;
   double const mu = found.of.at("at_mobilised_friction"), mass = found.of.at("at_mass");
   SteadyLayer const exact({{fluid, std::atan(mu), mass / (fluid.density * length)}, 0});
-  findings.note(name, "surface speed over that of the layer", found.of.at("at_surface_speed") / exact.surface,
+  findings.note(name, "surface speed over that of the layer", found.of.at("at_surface_speed") / exact.surface(),
                 "not steady, and particles crowd", found.cost);
   findings.note(name, "error of the profile", error_of(found, exact), "not steady, and particles crowd");
   findings.note(name, "solid fraction over that of the layer", found.of.at("at_solid_fraction") / exact.solid_fraction,

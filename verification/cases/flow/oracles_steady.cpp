@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "verification/reference/flow/compressible_layer.hpp"
 #include "verification/reference/flow/layer.hpp"
 #include "verification/reference/flow/plugged_layer.hpp"
@@ -73,6 +75,21 @@ double distance(CompressibleProfile const& a, CompressibleProfile const& b) {
   return most;
 }
 
+/// Y at which q is mu_1 S of the kept strength, with p from p = J N by bisection and not by Lambert's function.
+double plug_edge_by_root(CompressiblePluggedLayer const& plugged) {
+  Fluid const& fluid = plugged.layer.fluid;
+  double const loose = std::pow(fluid.hardening.p_c0 / plugged.kept, 1 / fluid.hardening.xi);
+  auto const pressure = [&](double Y) {
+    double const N = plugged.layer.normal_stress(Y);
+    return root([&](double p) { return p - loose * std::exp(-p / fluid.elastic.K()) * N; }, 0, 2 * N);
+  };
+  auto const excess = [&](double Y) {
+    double const p = pressure(Y), S = p < plugged.kept ? fluid.size(p, plugged.kept) : 0;
+    return p * std::tan(plugged.layer.slope) - fluid.friction.mu_1 * S;
+  };
+  return root(excess, 0, plugged.layer.h_0 * (1 - 1e-6));
+}
+
 /// The compressible layer with a plug: three ways; and against what it becomes without change of volume, and without plug.
 void compressible_plug(Findings& findings, double beta, double kept) {
   CompressiblePluggedLayer const layer{{glass_beads(40, beta), radians(32), 0.05}, kept};
@@ -82,6 +99,12 @@ void compressible_plug(Findings& findings, double beta, double kept) {
         bar);
   agree(findings, name, "plug's speed by KINSOL from quadrature", apart(layer.speed(speed_by_kinsol, 0.05), expected),
         bar);
+  double const begin = layer.plug_begin();
+  agree(findings, name, "height of the plug's edge by CVODE from quadrature",
+        apart(speed_by_cvode({0, begin, [&](double Y) { return layer.stretch(Y); }, {}}, begin * (1 - 1e-12)),
+              layer.height(begin * (1 - 1e-12))),
+        bar);
+  agree(findings, name, "plug's edge by root from closed form", apart(plug_edge_by_root(layer), begin), bar);
   CompressiblePluggedLayer stiff = layer;
   stiff.layer.fluid.elastic.E = 1e16, stiff.layer.fluid.hardening.xi = 1e12;
   PluggedLayer const rigid{{stiff.layer.fluid, radians(32), 0.05}, kept};

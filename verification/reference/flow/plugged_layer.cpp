@@ -28,9 +28,9 @@ double stretch_of(Fluid const& fluid, double p, double p_c) {
 
 double CompressiblePluggedLayer::pressure(double Y) const {
   double const N = layer.normal_stress(Y), K = layer.fluid.elastic.K();
-  if (Y < plug_begin()) return critical_pressure(layer, N);
+  if (kept <= 0 || Y < plug_begin()) return critical_pressure(layer, N);
   double const loose = std::pow(layer.fluid.hardening.p_c0 / kept, 1 / layer.fluid.hardening.xi);
-  return kept > 0 ? K * gsl_sf_lambert_W0(N * loose / K) : 0;
+  return K * gsl_sf_lambert_W0(N * loose / K);
 }
 
 double CompressiblePluggedLayer::strength(double Y) const {

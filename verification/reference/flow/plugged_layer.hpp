@@ -10,9 +10,9 @@ namespace talus::reference::flow {
 ///
 ///   p_c = kept  in the plug,  2 p/(1 - beta) below,   J = (p_c0/p_c)^(1/xi) exp(-p/K),   p = J N,   q = p tan(slope)  (1)
 ///
-/// The plug reaches down to p = kept/r, r from (5) of layer.hpp: there q is what it bears, mu_1 S. What has sheared below it
-/// was denser than at critical state, has dilated and lost its strength: in steady flow nothing keeps it. In the height Y of
-/// the unstrained layer:
+/// The plug reaches down to p = kept/r, r from (5) of layer.hpp: there q is what it bears, mu_1 S. What shears comes to
+/// critical state whatever its strength was; where that was `kept`, it dilates and loses it. In the height Y of the
+/// unstrained layer:
 ///
 ///   dy/dY = J,   du/dY = gamma(q, p, p_c) J                                                                        (2)
 ///
@@ -21,7 +21,8 @@ namespace talus::reference::flow {
 ///   p = K W0(N (p_c0/kept)^a/K)                                             in the plug                            (3)
 ///   p = (1 + a) K W0((c N)^(1/(1 + a))/((1 + a) K)),  c = (p_c0 (1 - beta)/2)^a   below                            (4)
 ///
-/// kept = 0: no plug. Small elastic shear, q << G. Pre: the layer flows at critical state. Derived.
+/// kept = 0: no plug. Small elastic shear, q << G. Pre: the layer flows at critical state, tan(slope) > omega mu_1.
+/// Derived.
 struct CompressiblePluggedLayer {
   CompressibleLayer layer;
   double kept = 0;
