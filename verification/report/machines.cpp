@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/io/xml.hpp"
 #include "verification/report/report.hpp"
@@ -18,8 +19,9 @@ std::string field(std::string const& text) {
   return quoted + "\"";
 }
 
-std::string end_of(std::optional<double> const& end) {
-  return end ? fmt::format("{}", *end) : "";
+/// Empty where there is no number, or none that is finite.
+std::string number(std::optional<double> const& value) {
+  return value && std::isfinite(*value) ? fmt::format("{}", *value) : "";
 }
 
 /// Text in an attribute; control characters, which XML cannot hold, are left out.
@@ -66,9 +68,9 @@ std::string csv_of(Report const& report) {
   for (Result const& result : report.results)
     for (Row const& row : result.findings.rows)
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", field(result.id), result.tier,
-                          field(row.subject), field(row.measure), field(row.unit), row.found,
-                          end_of(row.uncertainty.low), end_of(row.uncertainty.high), end_of(row.allowed.low),
-                          end_of(row.allowed.high), word_of(row.verdict), row.cost.seconds, row.cost.steps,
+                          field(row.subject), field(row.measure), field(row.unit), number(row.found),
+                          number(row.uncertainty.low), number(row.uncertainty.high), number(row.allowed.low),
+                          number(row.allowed.high), word_of(row.verdict), row.cost.seconds, row.cost.steps,
                           row.cost.particle_steps, field(row.because));
   return text;
 }
