@@ -42,6 +42,7 @@ struct MaterialEntry {
     return std::tuple{
         parameter(&MaterialEntry::name, "name", "how bodies refer to it").required(),
         parameter(&MaterialEntry::density, "density", "rho", "kg/m^3", "bulk density before deformation", positive)
+            .usual(10, 3e4)
             .required(),
         parameter(&MaterialEntry::law, "law", "constitutive law").required()};
   }

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <numbers>
 #include <span>
-#include <sstream>
 
 #include "core/body.hpp"
 #include "core/experiment_of.hpp"
 #include "core/filling.hpp"
+#include "core/io/columns.hpp"
 #include "models/boundaries/make_wall.hpp"
 #include "models/make.hpp"
 
@@ -115,10 +114,7 @@ void find_buried(std::string const& body, Filling<D> const& filling, Scene<D> co
 
 /// Warns of runs that take long.
 void foretell_steps(double steps, std::vector<std::string>& warnings) {
-  if (!(steps > 1e8)) return;
-  std::ostringstream text;
-  text << "/time/end: the run takes about " << std::setprecision(1) << steps << " steps";
-  warnings.push_back(text.str());
+  if (steps > 1e8) warnings.push_back("/time/end: the run takes about " + io::in_short(steps) + " steps");
 }
 
 std::vector<Explanation::Line> policies_of(Case const& document) {

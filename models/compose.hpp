@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "core/config/json.hpp"
 #include "core/config/read.hpp"
 #include "core/experiment.hpp"
 #include "models/case.hpp"
@@ -17,9 +16,9 @@ namespace talus {
 /// Refuses half-spaces that face each other where nothing is left between them, at the start or until the end.
 void check_gaps(Case const& document, int dimension, std::vector<std::string>& wrong);
 
-/// Warns of what is possible but seldom meant: values in another unit, walls thinner than a particle reaches, one particle
+/// Warns of what is possible but seldom meant: walls thinner than a particle reaches, one particle
 /// a cell, steps beyond the bound, expectations after the end. `base`: pointer of the case within the document.
-void add_suspicions(Case const& values, Document const& document, std::string const& base, Reader& reader);
+void add_suspicions(Case const& values, std::string const& base, Reader& reader);
 
 /// Dimension of the space of a kinematics by name; 0 for an unknown one.
 [[nodiscard]] int dimension_of_kinematics(std::string_view name);

@@ -83,7 +83,7 @@ void check_columns(PointCase const& values, PointExperiment const& point, Reader
 Case read_case(Document const& document, Reader& reader) {
   Case values = read_with_space<Case>(document, reader, "/kinematics/type");
   if (reader.mistakes.empty()) add_inconsistencies(values, "", reader);
-  if (reader.mistakes.empty()) add_suspicions(values, document, "", reader);
+  if (reader.mistakes.empty()) add_suspicions(values, "", reader);
   return values;
 }
 
@@ -94,7 +94,7 @@ Study read_study(Document const& document, Reader& reader) {
   Case base = values.base;
   for (StudyExpectationEntry const& entry : values.expect) base.expect.push_back(entry);
   add_inconsistencies(base, "/base", reader);
-  if (reader.mistakes.empty()) add_suspicions(values.base, document, "/base", reader);
+  if (reader.mistakes.empty()) add_suspicions(values.base, "/base", reader);
   check_places(values.expect, values.axes.size(), reader);
   return values;
 }

@@ -1,6 +1,4 @@
-#include <array>
-#include <sstream>
-
+#include "core/io/columns.hpp"
 #include "models/boundaries/extent.hpp"
 #include "models/compose.hpp"
 
@@ -8,40 +6,7 @@ namespace talus {
 
 namespace {
 
-/// Where the values of real materials lie [unit]: a value far outside is allowed, but often is in another unit.
-struct Usual {
-  std::string_view pointer, unit;
-  double low, high;
-};
-constexpr std::array usual{
-    Usual{"/density", " kg/m^3", 10, 3e4},
-    Usual{"/law/young_modulus", " Pa", 10, 1e13},
-    Usual{"/law/M", "", 0, 3},
-    Usual{"/law/mu_1", "", 0, 3},
-    Usual{"/law/mu_2", "", 0, 3},
-    Usual{"/law/grain_diameter", " m", 1e-7, 0.1},
-    Usual{"/law/grain_density", " kg/m^3", 10, 3e4},
-};
-
-std::string in_short(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
-void suspect_materials(Document const& document, std::string const& base, std::size_t count, Reader& reader) {
-  for (std::size_t k = 0; k < count; ++k)
-    for (Usual const& u : usual) {
-      std::string const pointer = base + "/materials/" + std::to_string(k) + std::string(u.pointer);
-      nlohmann::json::json_pointer const at(pointer);
-      if (!document.value.contains(at) || !document.value[at].is_number()) continue;
-      double const value = document.value[at];
-      if (value < u.low || value > u.high)
-        reader.warn(pointer, in_short(value) + std::string(u.unit),
-                    in_short(u.low) + " to " + in_short(u.high) + std::string(u.unit) + ", as of real materials",
-                    "is the unit right?");
-    }
-}
+using io::in_short;
 
 void suspect_walls(Case const& document, std::string const& base, Reader& reader) {
   double const least = 3 * document.grid.spacing;
@@ -80,8 +45,7 @@ void suspect_times(Case const& document, std::string const& base, Reader& reader
 
 }  // namespace
 
-void add_suspicions(Case const& values, Document const& document, std::string const& base, Reader& reader) {
-  suspect_materials(document, base, values.materials.size(), reader);
+void add_suspicions(Case const& values, std::string const& base, Reader& reader) {
   suspect_walls(values, base, reader);
   suspect_bodies(values, base, reader);
   suspect_times(values, base, reader);

@@ -24,12 +24,12 @@ int after_output(int code) {
   return code == done ? file_system_error : code;
 }
 
-int told(std::exception const& error) {
+int told(std::exception const& error, std::string_view program) {
   if (dynamic_cast<std::bad_alloc const*>(&error) != nullptr) {
-    fmt::print(stderr, "talus: there is not enough memory; take a coarser grid or fewer particles a cell\n");
+    fmt::print(stderr, "{}: there is not enough memory; take a coarser grid or fewer particles a cell\n", program);
     return computation_failed;
   }
-  fmt::print(stderr, "talus: {}\n", error.what());
+  fmt::print(stderr, "{}: {}\n", program, error.what());
   if (dynamic_cast<InputError const*>(&error) != nullptr) return input_invalid;
   if (dynamic_cast<RunError const*>(&error) != nullptr) return computation_failed;
   if (dynamic_cast<CheckpointError const*>(&error) != nullptr) return checkpoint_unusable;

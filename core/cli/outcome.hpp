@@ -2,6 +2,7 @@
 /// How the program ends: what failed becomes an exit code and a word.
 
 #include <exception>
+#include <string_view>
 
 namespace talus::cli {
 
@@ -11,7 +12,7 @@ void take_failed_writes_as_errors();
 /// The exit code once all that was printed has arrived.
 [[nodiscard]] int after_output(int code);
 
-/// The exit code of what a verb threw; the message goes to standard error.
-[[nodiscard]] int told(std::exception const& error);
+/// The exit code of what a verb threw; the message goes to standard error, behind the name of the program.
+[[nodiscard]] int told(std::exception const& error, std::string_view program = "talus");
 
 }  // namespace talus::cli

@@ -160,9 +160,9 @@ class Examination {
     } else if (!outline.possible.contains(x)) {
       reader_.refuse(pointer, words_for(value), words_for(outline.kind, outline.possible, row.unit));
     } else if (!row.tried.contains(x)) {
+      std::string const of = row.source.empty() ? ", as of real materials" : ", the range validated by ";
       reader_.warn(pointer, words_for(value),
-                   words_for(outline.kind, row.tried, row.unit) + ", the range validated by " + std::string(row.source),
-                   "is the unit right?");
+                   words_for(outline.kind, row.tried, row.unit) + of + std::string(row.source), "is the unit right?");
     }
   }
 

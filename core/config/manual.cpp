@@ -24,6 +24,7 @@ std::string range_of(Outline const& outline) {
 
 std::string meaning_of(Description const& row) {
   std::string meaning(row.meaning);
+  if (row.source.empty() && row.tried.bounded_above()) meaning += " (usually " + to_text(row.tried) + ')';
   if (!row.source.empty()) meaning += " (validated for " + to_text(row.tried) + ": " + std::string(row.source) + ')';
   return meaning;
 }

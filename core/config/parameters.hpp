@@ -81,7 +81,8 @@ struct Size {
 /// What a row of a table says, without the type of its member.
 ///
 /// `range` is what is possible at all; outside it is a mistake. It holds for a number and for each number of a list.
-/// `tried` is where the model was compared with something, by `source`; outside it is a warning.
+/// `tried` is where the model was compared with something, by `source`, or where values usually lie, without a source;
+/// outside it is a warning.
 struct Description {
   std::string_view name = {}, symbol = {}, unit = {}, meaning = {};
   Range range = {};
@@ -108,6 +109,12 @@ struct Parameter : Description {
     Parameter copy = *this;
     copy.tried = closed(low, high);
     copy.source = where;
+    return copy;
+  }
+  /// low <= x <= high in real materials; what lies outside is often in another unit.
+  [[nodiscard]] constexpr Parameter usual(double low, double high) const {
+    Parameter copy = *this;
+    copy.tried = closed(low, high);
     return copy;
   }
   /// A list of `least` to `most` entries.

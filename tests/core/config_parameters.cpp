@@ -75,6 +75,8 @@ BOOST_AUTO_TEST_CASE(a_modifier_changes_one_thing_of_a_row) {
   BOOST_TEST((!row.is_required && row.required().is_required));
   BOOST_TEST((row.required().range.low == 0 && row.required().symbol == "s"));
   auto const tried = row.required().validated(1, 2, "by whom");
+  auto const usual = row.usual(1, 2);
+  BOOST_TEST((usual.tried.contains(2) && !usual.tried.contains(3) && usual.source.empty()));
   BOOST_TEST((tried.is_required && tried.tried.contains(2) && !tried.tried.contains(3) && tried.source == "by whom"));
   BOOST_TEST((row.sized(2).size.least == 2 && row.sized(2, 5).size.most == 5 && row.per_axis().size.per_axis));
 }

@@ -152,13 +152,6 @@ int verify(Arguments const& a) {
   return is_green(totals(report.results)) ? cli::done : cli::expectation_failed;
 }
 
-int told(std::exception const& error) {
-  fmt::print(stderr, "talus verify: {}\n", error.what());
-  if (dynamic_cast<InputError const*>(&error) != nullptr) return cli::input_invalid;
-  if (dynamic_cast<FileError const*>(&error) != nullptr) return cli::file_system_error;
-  return cli::internal_error;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -172,9 +165,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return cli::after_output(verify(arguments));
   } catch (CLI::ParseError const& error) {
-    return app.exit(error) == 0 ? cli::done : cli::usage_error;
+    return cli::after_output(app.exit(error) == 0 ? cli::done : cli::usage_error);
   } catch (std::exception const& error) {
-    return told(error);
+    return cli::told(error, "talus verify");
   }
 }
 

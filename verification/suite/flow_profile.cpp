@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
-#include "core/cli/program.hpp"
-#include "core/io/files.hpp"
 #include "verification/reference/flow/fluid.hpp"
-#include "verification/suite/places.hpp"
+#include "verification/suite/shipped.hpp"
 
 namespace talus::verification {
 
@@ -97,22 +94,13 @@ std::vector<std::string> FlowColumn::all_changes() const {
 
 std::vector<FlowProfile> profiles_of(std::string const& study, std::vector<std::string> const& changes,
                                      std::vector<double> const& times, Cost& cost) {
-  std::string const file = std::string(studies) + "/" + study;
-  Document document = parse(io::read_file(file), file);
+  Document document = shipped(study, changes);
   set_value(document, R"(/output/ledger={"type": "none"})");
-  for (std::string const& change : changes) set_value(document, change);
   Composed const composed = program().compose(document);
-  Experiment& experiment = *composed.experiment;
-  auto const begun = std::chrono::steady_clock::now();
   reference::Elasticity const elastic = reference::flow::glass_beads(40, 0).elastic;
   std::vector<FlowProfile> profiles;
-  for (double const t : times) {
-    while (experiment.time() < t) experiment.advance(t);
-    profiles.push_back(profile_of(samples_of(experiment.state()), elastic));
-  }
-  cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  cost.steps += experiment.steps();
-  cost.particle_steps += double(experiment.steps()) * double(experiment.particles());
+  visit_times(*composed.experiment, times, cost,
+              [&] { profiles.push_back(profile_of(samples_of(composed.experiment->state()), elastic)); });
   return profiles;
 }
 

@@ -116,6 +116,7 @@ class Runner {
     running_.push_back({place, process, std::move(read), Clock::now()});
   }
 
+  /// Ends what runs, and begins nothing more.
   void abandon() {
     interrupted_ = true;
     for (std::size_t const place : waiting_)

@@ -18,7 +18,7 @@ struct Moduli {
     double E = 1e6, nu = 0.3;
     static constexpr auto table() {
       return std::tuple{
-          parameter(&Parameters::E, "young_modulus", "E", "Pa", "Young's modulus", positive),
+          parameter(&Parameters::E, "young_modulus", "E", "Pa", "Young's modulus", positive).usual(10, 1e13),
           parameter(&Parameters::nu, "poisson_ratio", "nu", "1", "Poisson's ratio", open(-1, 0.5)),
       };
     }

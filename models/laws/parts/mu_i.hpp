@@ -42,11 +42,13 @@ struct MuI {
     double I_0 = 0.279, d = 2.5e-3, rho_s = 2500;
     static constexpr auto table() {
       return std::tuple{
-          parameter(&Parameters::mu_1, "mu_1", "mu_1", "1", "friction of slow flow", non_negative),
-          parameter(&Parameters::mu_2, "mu_2", "mu_2", "1", "friction of fast flow, at least mu_1", non_negative),
+          parameter(&Parameters::mu_1, "mu_1", "mu_1", "1", "friction of slow flow", non_negative).usual(0, 3),
+          parameter(&Parameters::mu_2, "mu_2", "mu_2", "1", "friction of fast flow, at least mu_1", non_negative)
+              .usual(0, 3),
           parameter(&Parameters::I_0, "I_0", "I_0", "1", "inertial number half-way from mu_1 to mu_2", positive),
-          parameter(&Parameters::d, "grain_diameter", "d", "m", "grain diameter", positive),
-          parameter(&Parameters::rho_s, "grain_density", "rho_s", "kg/m^3", "density of the grains", positive),
+          parameter(&Parameters::d, "grain_diameter", "d", "m", "grain diameter", positive).usual(1e-7, 0.1),
+          parameter(&Parameters::rho_s, "grain_density", "rho_s", "kg/m^3", "density of the grains", positive)
+              .usual(10, 3e4),
       };
     }
     static std::optional<std::string> check(Parameters const& p) {

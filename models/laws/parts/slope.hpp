@@ -22,7 +22,8 @@ struct CriticalSlope {
     static constexpr auto table() {
       return std::tuple{
           parameter(&Parameters::M, "M", "M", "1", "slope q/p of the critical-state line without cohesion",
-                    non_negative),
+                    non_negative)
+              .usual(0, 3),
       };
     }
   };
@@ -41,7 +42,7 @@ struct ConeSlope {
     double M = 0.57735;  // tan 30 deg
     static constexpr auto table() {
       return std::tuple{
-          parameter(&Parameters::M, "M", "M", "1", "slope of the yield line", positive),
+          parameter(&Parameters::M, "M", "M", "1", "slope of the yield line", positive).usual(0, 3),
       };
     }
   };

@@ -11,16 +11,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "core/cli/program.hpp"
-#include "core/io/files.hpp"
 #include "verification/suite/cases.hpp"
-#include "verification/suite/places.hpp"
 #include "verification/suite/settled_column.hpp"
+#include "verification/suite/shipped.hpp"
 
 namespace talus::verification {
 
@@ -95,24 +92,17 @@ class BinSums {
 };
 
 Found found_by(Inflow const& flow, std::vector<double> const& times) {
-  std::string const file = std::string(studies) + "/" + flow.study;
-  Document document = parse(io::read_file(file), file);
-  for (std::string const& change : changes_of(flow)) set_value(document, change);
-  Composed const composed = program().compose(document);
+  Composed const composed = program().compose(shipped(flow.study, changes_of(flow)));
   Experiment& experiment = *composed.experiment;
   auto const names = experiment.quantities();
   Found found;
   BinSums bins;
-  auto const begun = std::chrono::steady_clock::now();
-  for (double const t : times) {
-    while (experiment.time() < t) experiment.advance(t);
+  visit_times(experiment, times, found.cost, [&] {
     auto const values = experiment.measure();
     for (std::size_t k = 0; k < names.size(); ++k) found.of[names[k].name] += values[k] / double(times.size());
     bins.add(experiment.profiles().front());
-  }
+  });
   bins.tell(found);
-  found.cost = {std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), experiment.steps(),
-                double(experiment.steps()) * double(experiment.particles())};
   return found;
 }
 

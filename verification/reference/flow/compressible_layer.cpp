@@ -11,14 +11,6 @@ namespace talus::reference::flow {
 
 namespace {
 
-/// (3).
-double small_shear_pressure(CompressibleLayer const& layer, double N) {
-  if (N <= 0) return 0;
-  double const a = 1 / layer.fluid.hardening.xi, K = layer.fluid.elastic.K();
-  double const c = std::pow(layer.fluid.hardening.p_c0 * (1 - layer.fluid.beta) / 2, a);
-  return (1 + a) * K * gsl_sf_lambert_W0(std::pow(c * N, 1 / (1 + a)) / ((1 + a) * K));
-}
-
 /// The layer by its coordinate s, (7), and what it sums up from the base, as rates of s: y, u and h_0 times both means.
 class ByShear {
  public:
@@ -30,7 +22,7 @@ class ByShear {
     return G_ * s / (T_ * std::cosh(s) * layer_.stretch(pressure(s)));
   }
   [[nodiscard]] double coordinate(double Y) const {
-    double const N = layer_.normal_stress(Y), near = small_shear_pressure(layer_, N) * T_ / G_;
+    double const N = layer_.normal_stress(Y), near = layer_.pressure(N) * T_ / G_;
     return root([&](double s) { return normal_stress(s) - N; }, 0.5 * near, 1.5 * near);
   }
   [[nodiscard]] CompressibleState state(double s) const {
@@ -75,6 +67,13 @@ CompressibleProfile summed(CompressibleLayer const& layer, std::vector<double> c
 
 }  // namespace
 
+double CompressibleLayer::pressure(double N) const {
+  if (N <= 0) return 0;
+  double const a = 1 / fluid.hardening.xi, K = fluid.elastic.K();
+  double const c = std::pow(fluid.hardening.p_c0 * (1 - fluid.beta) / 2, a);
+  return (1 + a) * K * gsl_sf_lambert_W0(std::pow(c * N, 1 / (1 + a)) / ((1 + a) * K));
+}
+
 double CompressibleLayer::stretch(double p) const {
   return std::pow(fluid.hardening.p_c0 * (1 - fluid.beta) / (2 * p), 1 / fluid.hardening.xi) *
          std::exp(-p / fluid.elastic.K());
@@ -85,10 +84,10 @@ CompressibleProfile small_shear_profile(CompressibleLayer const& layer, std::vec
   double const T = std::tan(layer.slope), A = layer.fluid.rate(T, 1.0);
   auto const depth = [&](double p) { return ((1 + a) * p + p * p / (2 * K)) / w; };
   auto const lag = [&](double p) { return A * std::pow(p, 1.5) * (2.0 / 3 * (1 + a) + 0.4 * p / K) / w; };
-  double const p_b = small_shear_pressure(layer, layer.normal_stress(0));
+  double const p_b = layer.pressure(layer.normal_stress(0));
   CompressibleProfile profile{};
   for (double const height : Y) {
-    double const p = small_shear_pressure(layer, layer.normal_stress(height));
+    double const p = layer.pressure(layer.normal_stress(height));
     profile.at.push_back({depth(p_b) - depth(p), lag(p_b) - lag(p), p, T * p, layer.stretch(p)});
   }
   auto const momentum = [&](double p) {  // N gamma dy/dp over w

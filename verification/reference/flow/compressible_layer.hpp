@@ -39,6 +39,7 @@ struct CompressibleLayer {
   [[nodiscard]] double weight() const { return fluid.density * gravity * std::cos(slope); }  ///< w [Pa/m]
   [[nodiscard]] double normal_stress(double Y) const { return weight() * (h_0 - Y); }        ///< N [Pa]
   [[nodiscard]] double stretch(double p) const;                                              ///< J, (2)
+  [[nodiscard]] double pressure(double N) const;  ///< (3) at the normal stress N [Pa]
 };
 
 /// One place of it.

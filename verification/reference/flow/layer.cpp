@@ -51,11 +51,14 @@ double PluggedLayer::strength(double y) const {
   return std::max(layer.fluid.critical_strength(layer.pressure(y)), kept);
 }
 
+double plug_ratio(Fluid const& fluid, double slope) {
+  double const b = 1 - fluid.beta;
+  double const steep = std::tan(slope) / fluid.friction.mu_1, c = 1 + steep * steep;
+  return 2 * c / (b + std::sqrt(b * b + 4 * fluid.beta * c));
+}
+
 double PluggedLayer::plug_depth() const {
-  double const beta = layer.fluid.beta, b = 1 - beta;
-  double const steep = std::tan(layer.slope) / layer.fluid.friction.mu_1, c = 1 + steep * steep;
-  double const r = 2 * c / (b + std::sqrt(b * b + 4 * beta * c));
-  return std::min(kept / r / layer.pressure(0), 1.0) * layer.h;
+  return std::min(kept / plug_ratio(layer.fluid, layer.slope) / layer.pressure(0), 1.0) * layer.h;
 }
 
 double PluggedLayer::plug_depth_by_root() const {

@@ -44,6 +44,7 @@ struct Layer {
 ///
 /// Pre: the layer flows at critical state, and tan(slope)/mu_1 > omega, by which r > 2/(1 - beta): the plug ends where
 /// p_c is still `kept`. Derived.
+[[nodiscard]] double plug_ratio(Fluid const&, double slope);  ///< r of (5), slope in rad
 struct PluggedLayer {
   Layer layer;
   double kept;

@@ -18,8 +18,7 @@ namespace talus::reference::flow {
 ///
 /// With a = 1/xi and N = w (h_0 - Y), p in closed form:
 ///
-///   p = K W0(N (p_c0/kept)^a/K)                                             in the plug                            (3)
-///   p = (1 + a) K W0((c N)^(1/(1 + a))/((1 + a) K)),  c = (p_c0 (1 - beta)/2)^a   below                            (4)
+///   p = K W0(N (p_c0/kept)^a/K)   in the plug; below as in compressible_layer.hpp, (3)                             (3)
 ///
 /// kept = 0: no plug. Small elastic shear, q << G. Pre: the layer flows at critical state, tan(slope) > omega mu_1.
 /// Derived.
