@@ -1,19 +1,12 @@
 #pragma once
 /// The passes of a step: what core/simulation.hpp declares.
 
-#include <sstream>
 #include <string>
 
+#include "core/in_short.hpp"
 #include "core/simulation.hpp"
 
 namespace talus {
-
-/// A number in six digits, for messages.
-inline std::string in_short(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 template <int D>
 void Simulation<D>::measure() {

@@ -8,7 +8,7 @@
 #include "core/body.hpp"
 #include "core/experiment_of.hpp"
 #include "core/filling.hpp"
-#include "core/io/columns.hpp"
+#include "core/in_short.hpp"
 #include "models/boundaries/make_wall.hpp"
 #include "models/make.hpp"
 
@@ -114,7 +114,7 @@ void find_buried(std::string const& body, Filling<D> const& filling, Scene<D> co
 
 /// Warns of runs that take long.
 void foretell_steps(double steps, std::vector<std::string>& warnings) {
-  if (steps > 1e8) warnings.push_back("/time/end: the run takes about " + io::in_short(steps) + " steps");
+  if (steps > 1e8) warnings.push_back("/time/end: the run takes about " + in_short(steps) + " steps");
 }
 
 std::vector<Explanation::Line> policies_of(Case const& document) {

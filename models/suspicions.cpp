@@ -1,12 +1,10 @@
-#include "core/io/columns.hpp"
+#include "core/in_short.hpp"
 #include "models/boundaries/extent.hpp"
 #include "models/compose.hpp"
 
 namespace talus {
 
 namespace {
-
-using io::in_short;
 
 void suspect_walls(Case const& document, std::string const& base, Reader& reader) {
   double const least = 3 * document.grid.spacing;

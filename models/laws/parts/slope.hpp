@@ -42,7 +42,7 @@ struct ConeSlope {
     double M = 0.57735;  // tan 30 deg
     static constexpr auto table() {
       return std::tuple{
-          parameter(&Parameters::M, "M", "M", "1", "slope of the yield line", positive).usual(0, 3),
+          parameter(&Parameters::M, "M", "M", "1", "slope of the yield line", positive).usual(0.01, 3),
       };
     }
   };
