@@ -15,6 +15,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -35,6 +36,14 @@ double seconds_since(Clock::time_point begin) {
 
 double seconds(timeval const& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+/// That a process has computed, in all its threads [s].
+double computed_by(pid_t process) {
+  clockid_t clock{};
+  timespec used{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &used) != 0) return 0;
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 void add_error(Findings& findings, std::string reason) {
@@ -123,9 +132,13 @@ class Runner {
       add_error(results_[place].findings, "not begun: the suite was stopped by a signal");
     waiting_.clear();
     for (Child& child : running_) {
-      child.stopped = true;
-      kill(child.process, SIGKILL);
+      stop(child);
     }
+  }
+
+  static void stop(Child& child) {
+    child.stopped = true;
+    kill(child.process, SIGKILL);
   }
 
   /// Waits until a child says something or has taken too long, or a signal comes.
@@ -134,7 +147,7 @@ class Runner {
     double left = 3600;
     for (Child const& child : running_) {
       open.push_back({child.pipe.number(), POLLIN, 0});
-      if (!child.stopped) left = std::min(left, allowance(child) - seconds_since(child.begin));
+      if (!child.stopped) left = std::min(left, time_left(child));
     }
     if (poll(open.data(), open.size(), static_cast<int>(1000 * std::max(0., left)) + 1) < 0) return;
     for (std::size_t k = running_.size(); k-- > 0;) {
@@ -142,14 +155,18 @@ class Runner {
       if (open[k].revents != 0 && !hear(child)) {
         end(child);
         running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(k));
-      } else if (!child.stopped && seconds_since(child.begin) > allowance(child)) {
-        child.stopped = true;
-        kill(child.process, SIGKILL);
+      } else if (!child.stopped && time_left(child) <= 0) {
+        stop(child);
       }
     }
   }
 
-  [[nodiscard]] double allowance(Child const& child) const { return options_.patience * cases_[child.place]->budget; }
+  /// Until a case is stopped: it may compute for its allowance, and wait for a processor that others use.
+  [[nodiscard]] double time_left(Child const& child) const {
+    double const allowed = options_.patience * cases_[child.place]->budget, passed = seconds_since(child.begin);
+    return std::min(patience_with_waiting * allowed - passed,
+                    std::max(allowed - passed, allowed - computed_by(child.process)));
+  }
 
   /// Takes what is in the pipe; false at its end.
   static bool hear(Child& child) {
@@ -181,7 +198,7 @@ class Runner {
     double const budget = cases_[child.place]->budget;
     if (interrupted_) return "the suite was stopped by a signal before its end";
     if (child.stopped)
-      return fmt::format("stopped after {} s, {} times its budget of {} s", options_.patience * budget,
+      return fmt::format("stopped: it may compute for {} s, {} times its budget of {} s", options_.patience * budget,
                          options_.patience, budget);
     if (WIFSIGNALED(status))
       return fmt::format("killed by signal {}: {}", WTERMSIG(status), strsignal(WTERMSIG(status)));

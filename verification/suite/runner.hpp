@@ -10,8 +10,10 @@
 
 namespace talus::verification {
 
-/// A case may take that many times its budget before it is stopped: machines differ.
+/// A case may compute for that many times its budget before it is stopped: machines differ.
 inline constexpr double patience = 4;
+/// And may take that many times as long by the clock: machines have other work.
+inline constexpr double patience_with_waiting = 5;
 
 struct RunOptions {
   int jobs = 1;  ///< cases at the same time; with more than one, each case has one thread
