@@ -246,7 +246,7 @@ template <int D, class Kernel, Gather G>
                                         Matrix<Lanes, D>* dt_gradient, Motion& motion) {
   Largest largest;
   for (int c = 0; c < batch.count; ++c)
-    gather_chunk<D, Kernel, G>(batch, c, arena, dt, alpha, dt_gradient + c, largest);
+    gather_chunk<D, Kernel, G>(batch, c, arena, dt, alpha, G.gradient ? dt_gradient + c : nullptr, largest);
   motion.speed = std::max(motion.speed, horizontal_max(largest.speed));
   motion.gradient = std::max(motion.gradient, std::sqrt(horizontal_max(largest.gradient)) / dt);
 }

@@ -110,20 +110,20 @@ class MaterialOf final : public Material<Kinematics::dimension> {
   [[gnu::flatten]] void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
                                Load<D>* loads, bool friction, StrainWork<>* work) const override {
     StrainWork<Lanes> sum;
+    std::array<Wide, Strain::size> trial;
+    WideState records;
     for (int c = 0; c < batch.count; c += chunks_at_once) {
-      WideStrain trial;
-      WideState records;
       for (int k = 0; k < chunks_at_once; ++k) {
         int const own = std::min(c + k, batch.count - 1);  // in place of a chunk that is not there, the last one again
-        put(trial.entries, k, trial_strain(strain(batch, batch.chunk(own)), dt_gradient[own]).entries);
+        put(trial, k, trial_strain(strain(batch, batch.chunk(own)), dt_gradient[own]).entries);
         put(records.values, k, state(batch.chunk(own)).values);
       }
-      WideStrain const after = law_.project(trial, records, Wide(dt));
+      WideStrain const after = mapped({trial}, records, dt);
       for (int k = 0; k < chunks_at_once && c + k < batch.count; ++k) {
         int const own = c + k;
         Strain const eps{get(after.entries, k)};
         State const state{get(records.values, k)};
-        if (work != nullptr) account(batch, own, dt_gradient[own], {get(trial.entries, k)}, {eps.entries}, sum);
+        if (work != nullptr) account(batch, own, dt_gradient[own], {get(trial, k)}, {eps.entries}, sum);
         write(batch, own, eps, state);
         if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
         check(batch, own, dt_gradient[own], eps, state, motion);
@@ -189,6 +189,10 @@ class MaterialOf final : public Material<Kinematics::dimension> {
     std::array<Lanes, n> values;
     for (std::size_t e = 0; e < n; ++e) values[e] = of_chunk(wide[e], k);
     return values;
+  }
+  /// The return map in a function of its own, for whose loops the compiler then has all registers.
+  [[gnu::noinline, gnu::flatten]] WideStrain mapped(WideStrain const& trial, WideState& records, double dt) const {
+    return law_.project(trial, records, Wide(dt));
   }
   /// Adds the work of chunk c, whose old strain is still stored. Empty lanes have no mass.
   [[gnu::noinline]] void account(Batch<D> const& batch, int c, Matrix<Lanes, D> const& H, Strain const& trial,

@@ -198,9 +198,15 @@ template <int N>
 Pack<N> sqrt(Pack<N> a) {
   return lane_by_lane(a, [](double s) { return __builtin_sqrt(s); });
 }
+/// Without the sign's bit: one instruction, where a choice takes three.
 template <int N>
 Pack<N> abs(Pack<N> a) {
-  return select_lanes(a < Pack<N>(0.0), -a, a);
+  if constexpr (N > register_lanes) {
+    return {abs(a.low), abs(a.high)};
+  } else {
+    using Bits = typename VectorExtension<N>::Mask;
+    return Pack<N>(typename Pack<N>::Value(Bits(a.value) & std::numeric_limits<long long>::max()));
+  }
 }
 template <int N>
 Pack<N> min(Pack<N> a, Pack<N> b) {

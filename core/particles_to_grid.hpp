@@ -154,7 +154,8 @@ template <int D, class Kernel, Scatter S>
 /// Adds a batch. `loads` has one entry a chunk.
 template <int D, class Kernel, Scatter S>
 [[gnu::flatten]] void particles_to_grid(Batch<D> const& batch, Load<D> const* loads, double dt, NodeVector* arena) {
-  for (int c = 0; c < batch.count; ++c) scatter_chunk<D, Kernel, S>(batch, c, loads + c, dt, arena);
+  for (int c = 0; c < batch.count; ++c)
+    scatter_chunk<D, Kernel, S>(batch, c, S.loaded || S.friction ? loads + c : nullptr, dt, arena);
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #include "core/cli/stopping.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace talus::cli {
 

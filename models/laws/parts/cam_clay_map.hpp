@@ -4,16 +4,33 @@
 
 #include "core/roots.hpp"
 #include "models/laws/parts/ellipse.hpp"
+#include "models/laws/parts/hardening.hpp"
 
 namespace talus::law {
 
-/// Where the return map ends, and how many evaluations of the equation its slowest lane took.
+/// Where the return map ends, and how often its equation was asked.
 template <Scalar T>
 struct MappedStress {
   EllipsePoint<T> at;
   int iterations;
   bool converged;
 };
+
+/// Of p, in units of the strength.
+inline constexpr double map_tolerance = 1e-12;
+
+/// The point of the surface at p where the flow rule says q = q_tr x/sum. Near cap and tip S follows from p with half
+/// its digits, and from the flow rule with all of them: that of the smaller dS/dp is taken. At the tip P follows from S.
+template <Scalar T>
+[[nodiscard]] EllipsePoint<T> point_by_flow(Ellipse const& surface, T p, T p_c, T q_tr, T x, T sum, double kappa) {
+  EllipsePoint<T> at = surface.at(p, p_c);
+  T const by_flow = min(T(T(1 / surface.M) * q_tr * x / sum), T(at.S + T(2 * std::sqrt(map_tolerance)) * p_c));
+  at.S = select<T>(at.S * at.S * (sum + T(kappa) * x) < x * x * sum, by_flow, at.S);
+  auto const tip = at.P < T(1e-6) * p_c;  // where P cancels
+  if (any(tip)) [[unlikely]]
+    at.P = select<T>(tip, at.S * at.S / (p_c - at.p), at.P);
+  return at;
+}
 
 /// The rate-independent return map of modified Cam-Clay: associated flow onto an ellipse that hardens, in one unknown.
 ///
@@ -30,14 +47,15 @@ struct MappedStress {
 /// Start: with p_c frozen both coordinates shrink as 1/(1 + multiplier), and the inverse radius is all but linear in
 /// the multiplier: one Newton step for it. Everything is homogeneous in the stresses, so they need no scaling.
 ///
-/// Cost: one strength, two divisions and one root an evaluation; about four evaluations.
+/// Cost: one strength, three divisions and one root an evaluation; by Halley's iteration about two evaluations where a
+/// step is small, four where the trial stress is far out.
 ///
 /// Source: flow rule and hardening as in Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; start after Moré &
 /// Sorensen (1983), doi:10.1137/0904038; (2), (3) derived here.
 template <class Hardening>
 struct CamClayMap {
   static constexpr bool associated = true;
-  static constexpr double tolerance = 1e-12;  ///< of p and p_c, in units of the strength, to three decades
+  static constexpr double tolerance = map_tolerance;  ///< of p and p_c, to three decades of the strength
 
   Ellipse const& surface;
   Hardening const& hardening;
@@ -49,40 +67,35 @@ struct CamClayMap {
   [[nodiscard]] MappedStress<T> operator()(T p_tr, T q_tr, T eps_V_n, T p_c_n, Condition plastic) const {
     T const x_tr = p_tr - surface.centre(p_c_n);
     T const side = select<T>(x_tr < T(0.0), -1.0, 1.0);
-    auto const strength = [&](T p) { return hardening.strength(T(eps_V_n + T(1 / K) * (p - p_tr)), K); };
+    auto const eps_V = [&](T p) { return T(eps_V_n + T(1 / K) * (p - p_tr)); };
+    auto const strength = [&](T p) { return hardening.strength(eps_V(p), K); };
     auto const outward = [&](T p, T p_c) { return max(T(0.0), T(side * (p - surface.centre(p_c)))); };
 
     double const M = surface.M, M2 = M * M, kappa = G / (K * M2);
-    // r and r', both times the radius: the same step, one division less
-    auto const residual = [&](T p) -> WithDerivative<T> {
+    // r, r' and r'' times the radius; of r'' what p_c'' gives is left out
+    auto const residual = [&](T p) -> WithCurvature<T> {
       T const p_c = strength(p), dp_c = T(1 / K) * hardening.slope(p_c, K);
       T const x = outward(p, p_c), dx = side * (T(1.0) - surface.centre(dp_c));
       T const drop = T(kappa) * side * (p_tr - p), inverse = T(1.0) / (x + drop);
       T const q = q_tr * x * inverse;  // (2)
       T const dq = q_tr * (dx * drop + T(kappa) * side * x) * inverse * inverse;
-      T const radius = sqrt(T(q * q + T(M2) * x * x));
-      return {radius * (radius - T(M) * surface.half_width(p_c)),  // (3)
-              q * dq + T(M2) * x * dx - T(M) * radius * surface.half_width(dp_c)};
+      T const square = q * q + T(M2) * x * x, half_slope = q * dq + T(M2) * x * dx, radius = sqrt(square);
+      T const r = radius * (radius - T(M) * surface.half_width(p_c));  // (3)
+      T const dr = half_slope - T(M) * radius * surface.half_width(dp_c);
+      T const ddr = dq * dq + T(M2) * dx * dx - T(2.0) * q * dq * (dx - T(kappa) * side) * inverse;
+      return {r, dr, ddr - half_slope * half_slope / square};
     };
 
     T const inner = select<T>(plastic, surface.centre(p_c_n), p_tr);
     auto root = bracketed_newton<T>(residual, inner, p_tr, start(x_tr, q_tr, p_c_n, inner, p_tr), T(tolerance) * p_c_n);
-    T p_c = strength(root.x);
+    T p_c = strength_of_state(hardening, eps_V(root.x), K);
     auto const coarse = plastic && (p_c < T(1e-3) * p_c_n || hardening.slope(p_c_n, K) < T(-K));
     if (any(coarse)) [[unlikely]] {
       root = refined<T>(residual, strength, coarse, inner, p_tr, root);
-      p_c = strength(root.x);
+      p_c = strength_of_state(hardening, eps_V(root.x), K);
     }
-    EllipsePoint<T> at = surface.at(root.x, p_c);
-    // near cap and tip S follows from p with half its digits, and from the flow rule with all of them: the smaller
-    // dS/dp
     T const x = outward(root.x, p_c), sum = x + T(kappa) * side * (p_tr - root.x);
-    T const by_flow = min(T(T(1 / M) * q_tr * x / sum), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
-    at.S = select<T>(at.S * at.S * (sum + T(kappa) * x) < x * x * sum, by_flow, at.S);
-    auto const tip = at.P < T(1e-6) * p_c;  // where P cancels
-    if (any(tip)) [[unlikely]]
-      at.P = select<T>(tip, at.S * at.S / (p_c - at.p), at.P);
-    return {at, root.iterations, root.converged};
+    return {point_by_flow(surface, root.x, p_c, q_tr, x, sum, kappa), root.iterations, root.converged};
   }
 
  private:
@@ -108,8 +121,9 @@ struct CamClayMap {
     double const M2 = surface.M * surface.M, kappa = G / (K * M2);
     T const Mx2 = T(M2) * x_tr * x_tr, q2 = q_tr * q_tr;
     T const radius = sqrt(T(Mx2 + q2)), wanted = T(surface.M) * surface.half_width(p_c_n);
-    T const u = (radius / wanted - T(1.0)) * ((Mx2 + q2) / (Mx2 + T(kappa) * q2));
-    return inner + (p_tr - inner) / (T(1.0) + max(T(0.0), u));
+    // u = above/below
+    T const above = max(T(0.0), T((radius - wanted) * (Mx2 + q2))), below = wanted * (Mx2 + T(kappa) * q2);
+    return inner + (p_tr - inner) * (below / (below + above + T(1e-300)));  // both vanish in idle lanes
   }
 };
 

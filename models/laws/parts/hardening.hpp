@@ -127,13 +127,66 @@ inline constexpr bool is_explicit = false;
 template <class Hardening>
 inline constexpr bool is_explicit<Explicit<Hardening>> = true;
 
-/// The strength as it is during a step that starts with p_c: the hardening itself, or p_c for good.
+/// Exponential hardening during one step, from what it was before: p_c = p_c,n exp(-xi (eps_V - eps_V,n)), of which a
+/// few terms of the series are enough as long as the strength changes by a few per cent.
+template <Scalar T>
+struct ExponentialStep {
+  ExponentialHardening const& hardening;
+  T eps_V_n, p_c_n, near;  ///< near: the largest exponent that the series serves
+
+  ExponentialStep(ExponentialHardening const& law, T eps_V, T p_c, double K)
+      : hardening(law),
+        eps_V_n(eps_V),
+        p_c_n(p_c),
+        near(select<T>(p_c > T(law.floor()) && p_c < T(law.ceiling(K)), series_limit, -1.0)) {}
+
+  template <Scalar U>
+  [[nodiscard]] U strength(U eps_V, double K) const {
+    U const x = U(-hardening.xi) * (eps_V - eps_V_n);
+    U const by_series = hardening.limited(U(p_c_n * series(x)), K);
+    auto const far = abs(x) > U(near);
+    if (any(far)) [[unlikely]]
+      return select<U>(far, hardening.strength(eps_V, K), by_series);
+    return by_series;
+  }
+  template <Scalar U>
+  [[nodiscard]] U slope(U p_c, double K) const {
+    return hardening.slope(p_c, K);
+  }
+
+ private:
+  static constexpr double series_limit = 0.03;  ///< the first term left out is 2e-17
+
+  template <Scalar U>
+  [[nodiscard]] static U series(U x) {
+    U const x2 = x * x;
+    auto const pair = [&](double a, double b) { return U(a) + U(b) * x; };
+    return U(1.0) + (x + x2 * (pair(1. / 2, 1. / 6) + x2 * (pair(1. / 24, 1. / 120) + x2 * pair(1. / 720, 1. / 5040))));
+  }
+};
+
+/// The strength that a step ends with, as the state will tell it, to the last digit.
 template <class Hardening, Scalar T>
-[[nodiscard]] Hardening const& during_step(Hardening const& hardening, T /*p_c*/) {
+[[nodiscard]] T strength_of_state(Hardening const& hardening, T eps_V, double K) {
+  return hardening.strength(eps_V, K);
+}
+template <Scalar T>
+[[nodiscard]] T strength_of_state(ExponentialStep<T> const& step, T eps_V, double K) {
+  return step.hardening.strength(eps_V, K);
+}
+
+/// The strength as it is during a step that starts with eps_V and p_c: the hardening itself, or what serves as well.
+template <class Hardening, Scalar T>
+[[nodiscard]] Hardening const& during_step(Hardening const& hardening, T /*eps_V*/, T /*p_c*/, double /*K*/) {
   return hardening;
 }
+template <Scalar T>
+[[nodiscard]] ExponentialStep<T> during_step(ExponentialHardening const& hardening, T eps_V, T p_c, double K) {
+  return {hardening, eps_V, p_c, K};
+}
 template <class Hardening, Scalar T>
-[[nodiscard]] FrozenStrength<T> during_step(Explicit<Hardening> const& /*hardening*/, T p_c) {
+[[nodiscard]] FrozenStrength<T> during_step(Explicit<Hardening> const& /*hardening*/, T /*eps_V*/, T p_c,
+                                            double /*K*/) {
   return {p_c};
 }
 

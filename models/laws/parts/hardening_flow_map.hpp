@@ -22,8 +22,6 @@ namespace talus::law {
 template <class Hardening>
 struct HardeningFlowMap {
   static constexpr bool associated = false;
-  static constexpr double tolerance = 1e-12;  ///< of p, in units of the strength before the step
-
   Ellipse const& surface;
   Hardening const& hardening;
   double K, G;
@@ -32,7 +30,8 @@ struct HardeningFlowMap {
   template <Scalar T, class Condition>
   [[nodiscard]] MappedStress<T> operator()(T p_tr, T q_tr, T eps_V_n, T p_c_n, Condition plastic) const {
     double const M = surface.M, M2 = M * M, kappa = G / (K * M2), beta = surface.beta;
-    auto const strength = [&](T p) { return hardening.strength(T(eps_V_n + T(1 / K) * (p - p_tr)), K); };
+    auto const eps_V = [&](T p) { return T(eps_V_n + T(1 / K) * (p - p_tr)); };
+    auto const strength = [&](T p) { return hardening.strength(eps_V(p), K); };
     auto const flow = [&](T p, T p_c) {  // X of (2)
       T const s = T(-1 / K) * hardening.slope(p_c, K);
       return T(p - surface.centre(p_c) + T(0.5) * s * (T(1 - beta) * p - T(2 * beta) * p_c));
@@ -59,14 +58,11 @@ struct HardeningFlowMap {
     T const inner = select<T>(plastic && moves, select<T>(side > T(0.0), 0.0, far), p_tr);
     T const apex = surface.centre(p_c_n);
     T const start = select<T>(plastic && moves, apex + T(0.5) * (p_tr - apex), p_tr);
-    auto const root = bracketed_newton<T>(residual, inner, p_tr, start, T(tolerance) * p_c_n);
+    auto const root = bracketed_newton<T>(residual, inner, p_tr, start, T(map_tolerance) * p_c_n);
 
-    T const p_c = strength(root.x);
-    EllipsePoint<T> at = surface.at(root.x, p_c);
+    T const p_c = strength_of_state(hardening, eps_V(root.x), K);
     T const X = max(T(0.0), T(side * flow(root.x, p_c))), sum = X + T(kappa) * side * (p_tr - root.x);
-    T const by_flow = min(T(T(1 / M) * q_tr * X / sum), T(at.S + T(2 * std::sqrt(tolerance)) * p_c));
-    at.S = select<T>(at.S * at.S * (sum + T(kappa) * X) < X * X * sum, by_flow, at.S);
-    return {at, root.iterations, root.converged};
+    return {point_by_flow(surface, root.x, p_c, q_tr, X, sum, kappa), root.iterations, root.converged};
   }
 };
 

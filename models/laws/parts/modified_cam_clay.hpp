@@ -62,7 +62,7 @@ struct ModifiedCamClay : HenckyElasticity {
     auto const plastic = surface.excess(p_tr, q_tr, p_c) > T(0.0) && p_c < T(hardening.ceiling(K));  // (1)
     if (!any(plastic)) return trial;
 
-    auto const& hardens = during_step(hardening, p_c);
+    auto const& hardens = during_step(hardening, eps_V, p_c, K);
     auto const [p, q] = Coupling::flow(surface, hardens, rate, Modulus{K, G}, CamClayTrial<T>{p_tr, q_tr, eps_V, p_c},
                                        dt, plastic);  // (2)
 
