@@ -118,7 +118,11 @@ class MaterialOf final : public Material<Kinematics::dimension> {
         put(trial, k, trial_strain(strain(batch, batch.chunk(own)), dt_gradient[own]).entries);
         put(records.values, k, state(batch.chunk(own)).values);
       }
-      WideStrain const after = mapped({trial}, records, dt);
+      WideStrain after;
+      if constexpr (chunks_at_once == 1)
+        after = law_.project(WideStrain{trial}, records, Wide(dt));
+      else
+        after = mapped({trial}, records, dt);
       for (int k = 0; k < chunks_at_once && c + k < batch.count; ++k) {
         int const own = c + k;
         Strain const eps{get(after.entries, k)};
