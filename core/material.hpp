@@ -50,7 +50,7 @@ class Material {
   /// V_p^0 tau_p of every chunk, and mu_p where `friction`.
   virtual void load(Batch<D> const& batch, bool friction, Load<D>* loads) const = 0;
   /// Trial strain from dt L, return map, new state; then what `load` gives, unless `loads` is null. dt_gradient and
-  /// loads have one entry a chunk. Adds to `work` unless it is null.
+  /// loads have one entry a chunk; motion.gradient is no less than any norm of L. Adds to `work` unless it is null.
   virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
                       Load<D>* loads, bool friction, StrainWork<>* work) const = 0;
   /// Stored energy of the batch [J].
@@ -130,9 +130,10 @@ class MaterialOf final : public Material<Kinematics::dimension> {
         if (work != nullptr) account(batch, own, dt_gradient[own], {get(trial, k)}, {eps.entries}, sum);
         write(batch, own, eps, state);
         if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
-        check(batch, own, dt_gradient[own], eps, state, motion);
       }
     }
+    if (!(motion.gradient * dt < 1) || !finite(batch)) [[unlikely]]
+      look_for_lost(batch, dt_gradient, motion);
     if (work != nullptr) *work += {sum_of(sum.power), sum_of(sum.before), sum_of(sum.trial), sum_of(sum.after)};
   }
 
@@ -214,14 +215,30 @@ class MaterialOf final : public Material<Kinematics::dimension> {
     for (int k = 0; k < Strain::size; ++k) chunk[batch.at.strain + k] = eps[k];
     for (std::size_t k = 0; k < state_at_.size(); ++k) chunk[state_at_[k]] = state.values[k];
   }
-  void check(Batch<D> const& batch, int c, Matrix<Lanes, D> const& H, Strain const& eps, State const& state,
-             Motion& motion) const {
+  /// The sum of all that the law has written of a chunk: finite where every entry is.
+  Lanes sum_of_state(Batch<D> const& batch, Lanes const* chunk) const {
     Lanes sum(0.0);
-    for (int k = 0; k < Strain::size; ++k) sum += eps[k];
-    for (Lanes const& value : state.values) sum += value;
-    auto const upright = determinant_of_step(H) > Lanes(0.0);
-    auto const finite = is_finite(sum);
-    if (!all(upright & finite)) report(batch, c, upright, finite, motion);
+    for (int k = 0; k < Strain::size; ++k) sum += chunk[batch.at.strain + k];
+    for (int const at : state_at_) sum += chunk[at];
+    return sum;
+  }
+  /// True where all strains and states of a batch are.
+  [[gnu::noinline]] bool finite(Batch<D> const& batch) const {
+    Lanes sum(0.0);
+    for (int c = 0; c < batch.count; ++c) sum += sum_of_state(batch, batch.chunk(c));
+    return all(is_finite(sum));
+  }
+  /// Not needed where |dt L| < 1, which keeps det(I + dt L) positive, and all is finite. A gradient that is no number
+  /// shows in the strain: no law hides it, which is one of their contracts.
+  [[gnu::noinline]] void look_for_lost(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient,
+                                       Motion& motion) const {
+    for (int c = 0; c < batch.count; ++c) {
+      auto const upright = determinant_of_step(dt_gradient[c]) > Lanes(0.0);
+      Lanes sum = sum_of_state(batch, batch.chunk(c));
+      for (Lanes const& entry : dt_gradient[c].entries) sum += entry;
+      auto const finite = is_finite(sum);
+      if (!all(upright & finite)) report(batch, c, upright, finite, motion);
+    }
   }
   static Strain strain(Batch<D> const& batch, Lanes const* chunk) {
     Strain eps;

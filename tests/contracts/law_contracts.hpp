@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -53,6 +54,21 @@ std::string projection_is_admissible() {
     bool finite = std::isfinite(s.law.energy(s.result)) && std::isfinite(s.law.volume_ratio(s.result, s.after));
     for (double const value : s.law.derive(s.result, s.after).values) finite = finite && std::isfinite(value);
     return unless(finite, "energy, volume ratio or a derived field is not finite", 0, 0);
+  });
+}
+
+/// A trial that is no number in the plane of motion gives a strain or a state that is none: the step looks at those only.
+template <class L>
+std::string projection_does_not_hide_what_is_no_number() {
+  return in_every_shape<L>([]<class Shape>(Step<L, Shape> const& s) -> std::string {
+    auto trial = s.trial;
+    for (int i = 0; i < 2; ++i)
+      for (int j = i; j < 2; ++j) trial(i, j) = std::numeric_limits<double>::quiet_NaN();
+    Step<L, Shape> const lost{s.law, s.parameters, trial, s.before, s.dt};
+    double sum = 0;
+    for (double const entry : lost.result.entries) sum += entry;
+    for (double const value : lost.after.values) sum += value;
+    return unless(!std::isfinite(sum), "strain and state after a trial that is no number sum up to", sum, NAN);
   });
 }
 

@@ -26,6 +26,9 @@ struct Every {
     return contract_of::stress_is_the_gradient_of_the_energy<L>();
   }
   static std::string projection_is_admissible_and_finite() { return projection_is_admissible<L>(); }
+  static std::string projection_does_not_hide_what_is_no_number() {
+    return contract_of::projection_does_not_hide_what_is_no_number<L>();
+  }
   static std::string kuhn_tucker_conditions_hold() { return contract_of::kuhn_tucker_conditions_hold<L>(); }
   static std::string projection_of_a_rate_independent_law_is_idempotent() {
     if constexpr (L::rate_dependent)
