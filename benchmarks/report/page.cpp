@@ -33,7 +33,7 @@ std::string cell(std::string const& text, std::string_view kind = "") {
 std::string html_of(Row const& row, std::size_t columns) {
   bool const once = row.value.repeats <= 1;
   auto const verdict = verdict_text(row);
-  auto html = "<tr>" + cell(row.name) + cell(io::in_short(row.value.median) + " " + row.unit, "n") +
+  auto html = "<tr>" + cell(row.name) + cell(io::in_four_digits(row.value.median) + " " + row.unit, "n") +
               cell(once ? "" : fmt::format("± {:.1f} %", row.value.spread), "n") +
               cell(once ? "" : fmt::to_string(row.value.repeats), "n") + cell(bar_text(row), "n") +
               cell(verdict, verdict == "FAIL" ? "fail" : "pass");

@@ -15,7 +15,7 @@ std::string const sides = "lrlrrll";  ///< of the columns that every table has
 Cells cells_of(Row const& row) {
   bool const once = row.value.repeats <= 1;
   Cells cells{row.name,
-              io::in_short(row.value.median),
+              io::in_four_digits(row.value.median),
               row.unit,
               once ? "" : fmt::format("± {:.1f} %", row.value.spread),
               once ? "" : fmt::to_string(row.value.repeats),

@@ -24,7 +24,7 @@ std::string padded(std::string const& text, std::size_t width, bool right) {
 
 }  // namespace
 
-std::string in_short(double value) {
+std::string in_four_digits(double value) {
   double const size = std::abs(value);
   if (size < 1e7 && value == std::floor(value)) return fmt::format("{:.0f}", value);
   if (value != 0 && (size >= 1e7 || size < 1e-3)) return fmt::format("{:.3e}", value);

@@ -8,7 +8,7 @@
 namespace talus::io {
 
 /// A number in about four digits: "0.123", "12.35", "1.234e-05".
-[[nodiscard]] std::string in_short(double value);
+[[nodiscard]] std::string in_four_digits(double value);
 
 /// Lines of a table: two blanks before each column, which is as wide as it must be; columns that are empty below the
 /// first row are left out, and so are cells beyond those of the first row. `sides` holds 'r' for each column whose cells

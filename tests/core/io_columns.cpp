@@ -23,12 +23,12 @@ BOOST_AUTO_TEST_CASE(an_empty_column_is_left_out_and_characters_are_counted_not_
 }
 
 BOOST_AUTO_TEST_CASE(numbers_have_four_digits) {
-  BOOST_TEST(io::in_short(0) == "0");
-  BOOST_TEST(io::in_short(123456) == "123456");
-  BOOST_TEST(io::in_short(12.3456) == "12.35");
-  BOOST_TEST(io::in_short(0.123456) == "0.123");
-  BOOST_TEST(io::in_short(1.23456e-5) == "1.235e-05");
-  BOOST_TEST(io::in_short(-1.5e9) == "-1.500e+09");
+  BOOST_TEST(io::in_four_digits(0) == "0");
+  BOOST_TEST(io::in_four_digits(123456) == "123456");
+  BOOST_TEST(io::in_four_digits(12.3456) == "12.35");
+  BOOST_TEST(io::in_four_digits(0.123456) == "0.123");
+  BOOST_TEST(io::in_four_digits(1.23456e-5) == "1.235e-05");
+  BOOST_TEST(io::in_four_digits(-1.5e9) == "-1.500e+09");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
