@@ -36,7 +36,12 @@ struct Batch {
   [[gnu::always_inline]] void prefetch(int c) const {
     int const there = c + 2;
     Lanes const* wanted = there < count ? chunk(there) : ahead + static_cast<std::ptrdiff_t>(there - count) * stride;
-    for (int pack = 0; pack < stride; ++pack) __builtin_prefetch(wanted + pack);
+    for (Lanes const* const end = wanted + stride; wanted < end; wanted += 4) {
+      __builtin_prefetch(wanted);
+      __builtin_prefetch(wanted + 1);
+      __builtin_prefetch(wanted + 2);
+      __builtin_prefetch(wanted + 3);  // the last ones may be of the chunk behind, which is next
+    }
   }
   /// Lanes of chunk c that hold a particle.
   [[nodiscard]] int filled(int c) const { return std::min(lanes, particles - c * lanes); }
