@@ -36,10 +36,10 @@ static_assert(Fields<A, B>::holds<B> && !Fields<A, B>::holds<C>);
 
 // What is no field: without a unit, without a rank, a number.
 struct WithoutUnit : ScalarField {
-  static constexpr std::string_view name = "x", symbol = "x", meaning = "x";
+  [[maybe_unused]] static constexpr std::string_view name = "x", symbol = "x", meaning = "x";
 };
 struct WithoutRank {
-  static constexpr std::string_view name = "x", symbol = "x", unit = "1", meaning = "x";
+  [[maybe_unused]] static constexpr std::string_view name = "x", symbol = "x", unit = "1", meaning = "x";
 };
 static_assert(Field<A> && Field<C> && !Field<WithoutUnit> && !Field<WithoutRank> && !Field<double>);
 
