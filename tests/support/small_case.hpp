@@ -2,9 +2,12 @@
 /// Small cases in the plane and in space, and a state of each that a run can go on from.
 
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "core/cli/program.hpp"
 #include "core/io/checkpoint.hpp"
+#include "models/compose.hpp"
+#include "models/documents.hpp"
 
 namespace talus::support {
 
@@ -31,17 +34,29 @@ inline constexpr char const* in_space = R"({"schema": "talus/case/1", "title": "
               "seeding": {"type": "lattice", "per_axis": 1}}],
   "time": {"end": 1}})";
 
+/// The values of a document.
+inline Case case_of(char const* text) {
+  Document const document = parse(text, "small case");
+  Reader reader(document);
+  Case values = read_case(document, reader);
+  reader.throw_if_mistaken();
+  return values;
+}
+
 /// A case, and the state it has reached after a few steps.
 struct CaseUnderWay {
-  Document document;
+  Case values;
   io::Checkpoint state;
 
-  explicit CaseUnderWay(char const* text) : document(parse(text, "small case")) {
+  explicit CaseUnderWay(char const* text) : values(case_of(text)) {
     auto const experiment = fresh();
     for (int step = 0; step < 3; ++step) experiment->advance(1);
     state = experiment->checkpoint();
   }
-  [[nodiscard]] std::unique_ptr<Experiment> fresh() const { return program().compose(document).experiment; }
+  [[nodiscard]] std::unique_ptr<Experiment> fresh() const {
+    std::vector<std::string> warnings;
+    return compose(values, warnings);
+  }
 };
 
 }  // namespace talus::support
