@@ -128,6 +128,27 @@ class Interruption(InFolder):
                 self.assertEqual(self.hash_of(what), self.hash_of("whole"))
                 self.same_files("whole", what)
 
+    def test_a_file_system_without_room_keeps_the_last_good_state(self):
+        self.run_quietly(self.case, "whole")
+        size = sum(map(len, everything_in(self.folder / "whole").values()))
+        (self.folder / "disk").mkdir()
+        own_mounts = ("unshare", "--map-root-user", "--mount", "sh", "-c")
+        if subprocess.run([*own_mounts, "mount -t tmpfs none disk"], cwd=self.folder, capture_output=True).returncode != 0:
+            self.skipTest("a file system of memory may not be mounted here")
+        told = subprocess.run([*own_mounts, f"""
+            mount -t tmpfs -o size={size // 2} none disk
+            "$0" run "$1" -o disk/run "$2" "$3" "$4" "$5"
+            code=$?
+            mount -o remount,size={8 * size} none disk
+            "$0" resume disk/run "$2" "$3" "$4" "$5" && cp -r disk/run run
+            exit $code""", PROGRAM, self.case, *QUIET], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        print(told.stderr.rstrip())
+        self.assertEqual(told.returncode, 7, told.stderr)
+        self.assertRegex(told.stderr, "cannot write disk/run/.*: No space left on device")
+        self.assertIn("'talus resume disk/run' goes on from the last checkpoint", told.stderr)
+        self.assertEqual(self.hash_of("run"), self.hash_of("whole"))
+        self.same_files("whole", "run")
+
     def without_privilege(self, *arguments):
         """The program as a user to whom the permissions of files apply."""
         ordinary = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search") if os.getuid() == 0 else ()
