@@ -43,7 +43,7 @@ inline std::vector<Run> runs_of(io::Checkpoint const& saved, std::size_t blocks,
   std::int64_t last_block = -1, last_material = -1;
   for (std::size_t r = 0; r < block.size(); ++r) {
     bool const same_block = block[r] == last_block && material[r] > last_material;
-    bool const known = material[r] >= 0 && material[r] < static_cast<std::int64_t>(materials);
+    bool const known = block[r] >= 0 && material[r] >= 0 && material[r] < static_cast<std::int64_t>(materials);
     require((same_block || block[r] == last_block + 1) && known, "its runs of particles are not in order");
     require(count[r] > 0 && count[r] <= std::numeric_limits<int>::max(), "it has a run without particles");
     runs.push_back(

@@ -22,7 +22,7 @@ concept LawFor = requires(L const law, Symmetric<T, S> const eps, Record<T, type
   /// Stored energy per reference volume [J/m^3].
   { law.energy(eps) } -> std::same_as<T>;
   /// The return map: takes the trial strain and the fields after the last step, gives the admissible strain and sets
-  /// the fields to those after this step of dt [s].
+  /// the fields to those after this step of dt [s]. What is no number in the trial stays none: the step looks for it.
   { law.project(eps, state, dt) } -> std::same_as<Symmetric<T, S>>;
   /// Yield function [Pa]: about the distance of the stress from the yield surface, zero or less inside. A law without a
   /// surface answers -1.

@@ -50,7 +50,8 @@ class Material {
   /// V_p^0 tau_p of every chunk, and mu_p where `friction`.
   virtual void load(Batch<D> const& batch, bool friction, Load<D>* loads) const = 0;
   /// Trial strain from dt L, return map, new state; then what `load` gives, unless `loads` is null. dt_gradient and
-  /// loads have one entry a chunk; motion.gradient is no less than any norm of L. Adds to `work` unless it is null.
+  /// loads have one entry a chunk; motion.gradient is the largest norm of L. Adds to `work` unless it is null. Tells
+  /// `motion` of particles whose state is no longer finite, or which were turned inside out.
   virtual void update(Batch<D> const& batch, Matrix<Lanes, D> const* dt_gradient, double dt, Motion& motion,
                       Load<D>* loads, bool friction, StrainWork<>* work) const = 0;
   /// Stored energy of the batch [J].
@@ -132,7 +133,7 @@ class MaterialOf final : public Material<Kinematics::dimension> {
         if (loads != nullptr) loads[own] = load_of(batch, batch.chunk(own), eps, state, friction);
       }
     }
-    if (!(motion.gradient * dt < 1) || !finite(batch)) [[unlikely]]
+    if (!(motion.gradient * dt < 0.99) || !finite(batch)) [[unlikely]]  // 1, less what rounding may hide
       look_for_lost(batch, dt_gradient, motion);
     if (work != nullptr) *work += {sum_of(sum.power), sum_of(sum.before), sum_of(sum.trial), sum_of(sum.after)};
   }

@@ -59,6 +59,13 @@ std::vector<Wrong> const wrong{
      "not those of its blocks"},
     {"a run fewer", [](auto& c) { held<Integers>(c, "run_materials").pop_back(); }, "differ in length"},
     {"a run elsewhere", [](auto& c) { held<Integers>(c, "run_blocks")[0] = INT64_C(1) << 32; }, "not in order"},
+    {"a run before the first block",
+     [](auto& c) {
+       --held<Integers>(c, "run_particles")[0];
+       for (auto const& [list, first] : {std::pair{"run_blocks", -1}, {"run_materials", 0}, {"run_particles", 1}})
+         held<Integers>(c, list).insert(held<Integers>(c, list).begin(), first);
+     },
+     "not in order"},
     {"no such material", [](auto& c) { held<Integers>(c, "run_materials").back() = 7; }, "not in order"},
     {"an empty run", [](auto& c) { held<Integers>(c, "run_particles")[0] = 0; }, "run without particles"},
     {"a huge run", [](auto& c) { held<Integers>(c, "run_particles")[0] = INT64_C(1) << 33; }, "run without particles"},
