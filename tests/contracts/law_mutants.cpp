@@ -195,9 +195,11 @@ BOOST_AUTO_TEST_CASE(a_forgotten_plastic_volume_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(hiding_what_is_no_number_is_refused) {
-  BOOST_TEST(contract_of::kuhn_tucker_conditions_hold<Mutated<law::CamClay, Hiding<true>>>().empty());
-  BOOST_TEST(!contract_of::projection_does_not_hide_what_is_no_number<Mutated<law::CamClay, Hiding<true>>>().empty());
-  BOOST_TEST(!contract_of::projection_does_not_hide_what_is_no_number<Mutated<law::CamClay, Hiding<false>>>().empty());
+  using Mutant = Mutated<law::CamClay, Hiding<true>>;
+  using InPacksOnly = Mutated<law::CamClay, Hiding<false>>;
+  BOOST_TEST(contract_of::kuhn_tucker_conditions_hold<Mutant>().empty());
+  BOOST_TEST(!contract_of::projection_does_not_hide_what_is_no_number<Mutant>().empty());
+  BOOST_TEST(!contract_of::projection_does_not_hide_what_is_no_number<InPacksOnly>().empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_preferred_axis_is_refused) {
