@@ -144,7 +144,8 @@ void ExperimentOf<D>::restore(io::Checkpoint const& saved) {
   Scene<D> const& scene = simulation_->scene();
   Snapshot const& state = saved.particles;
   detail::require(state.dimension == D, "it is of another dimension than the case");
-  detail::require(state.time >= 0 && is_finite(state.time) && state.step >= 0, "its time is no time of a run");
+  bool const counted = state.step >= 0 && state.step < std::int64_t{1} << 53;  // longer than any run
+  detail::require(state.time >= 0 && is_finite(state.time) && counted, "its time is no time of a run");
   auto const keys = detail::blocks_of<D>(saved, scene.periods);
   auto runs = detail::runs_of(saved, keys.size(), scene.materials.size());
   std::size_t count = 0;

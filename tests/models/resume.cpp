@@ -43,6 +43,7 @@ std::vector<Wrong> const wrong{
     {"dimension", [](auto& c) { c.particles.dimension = 3; }, "another dimension"},
     {"time", [](auto& c) { c.particles.time = NAN; }, "its time is no time"},
     {"step", [](auto& c) { c.particles.step = -1; }, "its time is no time"},
+    {"a step beyond counting", [](auto& c) { c.particles.step = INT64_MAX; }, "its time is no time"},
     {"keys missing", [](auto& c) { c.values.erase("block_keys"); }, "does not hold 'block_keys'"},
     {"keys negative", [](auto& c) { held<Integers>(c, "block_keys")[0] = -1; }, "no blocks of the case's grid"},
     {"keys out of order",
