@@ -43,14 +43,26 @@ int report(RunResult const& result, Arguments const& arguments) {
   return result.code;
 }
 
+/// As above, for what `talus resume` can go on with.
+int report_run(RunResult const& result, Arguments const& arguments) {
+  if (result.code == stopped && !arguments.run.quiet)
+    fmt::print(stderr, "\nstopped by a signal; 'talus resume {}' goes on\n", arguments.run.folder.string());
+  return report(result, arguments);
+}
+
+int resume(Arguments const& arguments) {
+  return report_run(holds_study(arguments.run.folder) ? resume_study(arguments.run) : resume_case(arguments.run),
+                    arguments);
+}
+
 int run(Arguments& arguments) {
   std::string given = io::read_file(arguments.file);
   Document const document = load(arguments.file, arguments.assignments);
   if (arguments.run.folder.empty()) arguments.run.folder = default_folder(arguments.file);
   if (is_point(document.value)) throw InputError(arguments.file + ": this is a material point; 'talus point' runs it");
   bool const study = is_study(document.value);
-  return report(study ? run_study(document, given, arguments.run) : run_case(document, given, arguments.run),
-                arguments);
+  return report_run(study ? run_study(document, given, arguments.run) : run_case(document, given, arguments.run),
+                    arguments);
 }
 
 int point(Arguments& arguments) {
@@ -111,9 +123,9 @@ void add_running_verbs(CLI::App& app, Verb& chosen, Arguments& a) {
   add_output_options(verb, a);
   add_quiet_options(verb, a);
 
-  verb = add_verb(app, chosen, "resume", "Go on with a run from its newest checkpoint, with the same bits.",
-                  "talus resume runs/dam", [&a] { return report(resume_case(a.run), a); });
-  verb->add_option("folder", a.run.folder, "Folder of the run")->required();
+  verb = add_verb(app, chosen, "resume", "Go on with a run or study from its newest checkpoint, with the same bits.",
+                  "talus resume runs/dam", [&a] { return resume(a); });
+  verb->add_option("folder", a.run.folder, "Folder of the run or study")->required();
   add_run_options(verb, a);
 
   verb = add_verb(app, chosen, "plot", "Draw the pictures of a run again.", "talus plot runs/dam", [&a] {

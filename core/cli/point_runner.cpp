@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 #include "core/cli/runner.hpp"
@@ -37,6 +38,16 @@ struct PointRun {
   }
 };
 
+/// What a point measures now. Throws RunError where a quantity is no number.
+std::vector<double> measured(PointExperiment const& point, std::vector<Quantity> const& quantities) {
+  std::vector<double> row = point.measure();
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!std::isfinite(row[k]))
+      throw RunError(fmt::format("at t = {} s the {} is not finite; lead the point less far, or in shorter steps",
+                                 point.time(), quantities[k].name));
+  return row;
+}
+
 /// Leads the point of a case; its series is written as it goes, and ends where the point fails.
 PointRun run_point_case(StudyCase const& study_case, fs::path const& root, std::string const& folder, bool quiet) {
   ComposedPoint composed = program().compose_point(study_case.document);
@@ -49,7 +60,7 @@ PointRun run_point_case(StudyCase const& study_case, fs::path const& root, std::
   for (Quantity const& q : run.quantities) columns.push_back({q.name, q.unit});
   io::SeriesWriter series(root / folder / "series.csv", columns);
   auto const record = [&] {
-    run.end = composed.point->measure();
+    run.end = measured(*composed.point, run.quantities);
     series.append(run.end);
     if (stop_asked()) throw StopAsked();
   };

@@ -39,6 +39,13 @@ struct RunResult {
 /// Runs every case of a study into sub-folders, judges its expectations, writes results.json and results.csv.
 [[nodiscard]] RunResult run_study(Document const& document, std::string_view given, RunOptions const& options);
 
+/// Whether a folder is that of a study of runs.
+[[nodiscard]] bool holds_study(std::filesystem::path const& folder);
+
+/// Goes on with the study in a folder: cases that ended are taken as they are, the one that was stopped is resumed, the
+/// others are run. Throws InputError, FileError, CheckpointError.
+[[nodiscard]] RunResult resume_study(RunOptions const& options);
+
 /// Leads a material point along its path, for every combination of its axes; judges its expectations, writes
 /// results.json, provenance.json and pictures. Throws InputError, FileError.
 [[nodiscard]] RunResult run_point(Document const& document, std::string_view given, RunOptions const& options);

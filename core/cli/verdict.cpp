@@ -79,6 +79,18 @@ nlohmann::json verdict_document(std::vector<Verdict> const& verdicts) {
   return list;
 }
 
+std::vector<Verdict> verdicts_of(nlohmann::json const& document) {
+  std::vector<Verdict> list;
+  for (nlohmann::json const& row : document)
+    list.push_back(
+        {row.value("case", ""),
+         {row.at("measure").get<std::string>(), row.at("time").get<double>(), row.at("expected").get<double>(),
+          row.at("tolerance").get<double>(), row.at("because").get<std::string>()},
+         row.at("found").is_null() ? std::numeric_limits<double>::quiet_NaN() : row.at("found").get<double>(),
+         row.at("passed").get<bool>()});
+  return list;
+}
+
 nlohmann::json ledger_document(std::vector<Balance> const& balances) {
   nlohmann::json document = nlohmann::json::object();
   for (Balance const& balance : balances) {

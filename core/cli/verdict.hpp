@@ -28,6 +28,8 @@ struct Verdict {
 /// A table for people: measure, time, expected, found, deviation, tolerance, verdict.
 [[nodiscard]] std::string verdict_table(std::vector<Verdict> const& verdicts);
 [[nodiscard]] nlohmann::json verdict_document(std::vector<Verdict> const& verdicts);
+/// What verdict_document wrote.
+[[nodiscard]] std::vector<Verdict> verdicts_of(nlohmann::json const& document);
 
 /// The ledgers as a run's summary has them.
 [[nodiscard]] nlohmann::json ledger_document(std::vector<Balance> const& balances);

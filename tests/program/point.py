@@ -64,6 +64,13 @@ class Point(InFolder):
         self.assertTrue(11 <= rows < 21, rows)  # the first segment, and of the second what the law could carry
         self.assertIn("failure", self.read("out", "results.json")["cases"][0])
 
+    def test_a_quantity_beyond_all_numbers_ends_the_point_before_it_is_written(self):
+        document = {**changed("/path/0/xy/by", 1e99, copy.deepcopy(SHEAR)), "expect": []}
+        document["law"]["type"] = "neo_hookean"
+        self.assertRegex(self.point(document, "--no-pictures", code=4).stderr, r"segment 'shear': at t = .* not finite")
+        for file in ("cases/case_000/series.csv", "results.json"):
+            self.assertNotRegex((self.folder / "out" / file).read_text(), r"\b(inf|nan|null)")
+
     def test_wrong_documents_are_refused_at_their_place(self):
         for pointer, value, words in (
                 ("/path/0/zz", {"type": "rate", "value": 1}, "/path/0/zz: found 'rate'; expected: nothing"),

@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+"""`talus resume` on the folder of a study: cases that ended stay as they are, one that was stopped goes on from its
+checkpoint, one that is not there or is another study's is run. The results are those of the undisturbed study."""
+import copy
+import shutil
+import unittest
+
+from talus_process import InFolder, coarse_dam
+
+NAMES = ("case_000", "case_001", "case_002")
+
+
+def slopes(*degrees):
+    """A study of slopes; each case expects something itself, and the study of its last one."""
+    end = {"measure": "centre_of_mass_x", "time": 0.1, "value": 0.114, "because": "it starts there and hardly moves"}
+    base = coarse_dam(expect=[{**end, "relative": 0.2}])
+    return {"schema": "talus/study/1", "title": "Slopes", "base": base,
+            "axes": [{"path": "/gravity/slope_deg", "values": list(degrees)}],
+            "expect": [{**copy.deepcopy(end), "at": [degrees[-1]], "relative": 1e-9}]}
+
+
+class ResumedStudy(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.study = self.save(slopes(0, 10, 20))
+        self.table = self.run_quietly(self.study, "whole", code=5).stdout
+
+    def resumed(self, code=5):
+        told = self.talus("resume", "part", "-q", "--no-pictures", "-t", "1", code=code)
+        self.assertEqual(told.stdout.replace("results in part", "results in whole"), self.table)
+        for name in NAMES:
+            self.assertEqual(self.hash_of(f"part/cases/{name}"), self.hash_of(f"whole/cases/{name}"))
+        whole, part = (self.read(folder, "results.json") for folder in ("whole", "part"))
+        self.assertEqual(part["expectations"], whole["expectations"])
+        self.assertEqual([case["measures"] for case in part["cases"]], [case["measures"] for case in whole["cases"]])
+        self.assertEqual(len((self.folder / "part/results.csv").read_text().splitlines()), 4)
+
+    def test_cases_that_were_stopped_go_on(self):
+        self.run_quietly(self.study, "part", "--until", "0.05")
+        before = self.read("part/cases/case_001/summary.json")
+        self.assertFalse(before["finished"])
+        self.resumed()
+        provenance = self.read("part/cases/case_001/provenance.json")
+        self.assertIn("resume", provenance["command_line"])
+
+    def test_cases_that_ended_are_not_run_again(self):
+        shutil.copytree(self.folder / "whole", self.folder / "part")
+        shutil.rmtree(self.folder / "part/cases/case_002")
+        (self.folder / "part/results.json").unlink()
+        files = [self.folder / "part/cases" / name / "summary.json" for name in NAMES[:2]]
+        before = [(file.read_bytes(), file.stat().st_mtime_ns) for file in files]
+        self.resumed()
+        self.assertEqual([(file.read_bytes(), file.stat().st_mtime_ns) for file in files], before)
+
+    def test_cases_of_an_earlier_study_in_the_folder_are_run_anew(self):
+        self.run_quietly(self.save(slopes(0, 5, 15), "other.json"), "part", code=5)
+        for name in ("study.json", "resolved_study.json"):
+            shutil.copy(self.folder / "whole" / name, self.folder / "part" / name)
+        self.resumed()
+
+    def test_changes_of_the_command_line_are_kept(self):
+        self.run_quietly(self.study, "set", "--until", "0.05", "--set", "/title=Gentle")
+        self.assertEqual(self.read("set", "results.json")["expectations"], [])
+        self.talus("resume", "set", "-q", "--no-pictures", code=5)
+        self.assertEqual(self.read("set", "results.json")["title"], "Gentle")
+
+    def test_an_error_in_a_case_stays_one(self):
+        broken = slopes(0, 10)
+        broken["base"]["bodies"][0]["velocity"] = {"type": "uniform", "velocity": [1e99, 0]}
+        del broken["expect"]
+        self.run_quietly(self.save(broken, "broken.json"), "failed", code=4)
+        self.talus("resume", "failed", "-q", "--no-pictures", code=4)
+        self.assertEqual([case["exit_code"] for case in self.read("failed", "results.json")["cases"]], [4, 4])
+
+
+if __name__ == "__main__":
+    unittest.main()
