@@ -44,10 +44,12 @@ io::Checkpoint ExperimentOf<D>::checkpoint() const {
                   {"run_materials", materials},
                   {"run_particles", counts},
                   {"drift", simulation_->drift()},
+                  {"mass", simulation_->mass()},
                   {"speed", simulation_->motion().speed},
                   {"gradient", simulation_->motion().gradient},
                   {"momentum", momentum},
-                  {"first_front", first_front_}};
+                  {"first_front", first_front_},
+                  {"last_dt", last_dt_}};
   return saved;
 }
 

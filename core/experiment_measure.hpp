@@ -35,7 +35,7 @@ std::vector<double> ExperimentOf<D>::measure() const {
   for_each_run([&](Material<D> const& material, Batch<D> const& batch, std::size_t) {
     elastic += material.elastic_energy(batch);
   });
-  std::vector<double> values{time(), double(steps()), simulation_->last_step().dt, front() - first_front_};
+  std::vector<double> values{time(), double(steps()), last_dt_, front() - first_front_};
   for (int d = 0; d < D; ++d) values.push_back(first_moment[d] / mass);
   for (int d = 0; d < D; ++d) values.push_back(momentum[d] / mass);
   values.insert(values.end(), {std::sqrt(twice_kinetic / mass), std::sqrt(fastest), 0.5 * twice_kinetic, elastic,

@@ -27,6 +27,7 @@ class ExperimentOf final : public Experiment {
   [[nodiscard]] long sorts() const override { return simulation_->sorts(); }
   TimeStep advance(double end) override {
     simulation_->advance(end);
+    last_dt_ = simulation_->last_step().dt;
     return simulation_->last_step();
   }
 
@@ -68,6 +69,7 @@ class ExperimentOf final : public Experiment {
   std::vector<Explanation::Line> policies_;
   std::vector<Station> stations_;
   double first_front_;
+  double last_dt_ = 0;  ///< of the last step, or of that before the checkpoint that was restored [s]
 };
 
 }  // namespace talus

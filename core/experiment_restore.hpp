@@ -130,10 +130,11 @@ Ledger<D> ledger_of(io::Checkpoint const& saved) {
   return ledger;
 }
 
-/// A value that is zero or more.
+/// A finite value that is zero or more.
 inline double size_in(io::Checkpoint const& saved, char const* name) {
   double const value = saved.value<double>(name);
-  if (!(value >= 0)) throw CheckpointError("its '" + std::string(name) + "' is no number from 0 on");
+  if (!(value >= 0 && is_finite(value)))
+    throw CheckpointError("its '" + std::string(name) + "' is no number from 0 on");
   return value;
 }
 
@@ -159,13 +160,17 @@ void ExperimentOf<D>::restore(io::Checkpoint const& saved) {
   detail::fill_fields(state, particles);
   detail::require_identities(particles);
   detail::require_places(particles, keys, scene, drift);
-  auto momentum = detail::momentum_of<D>(saved, scene.walls.size());
-  auto const ledger = detail::ledger_of<D>(saved);
-  double const first_front = saved.value<double>("first_front");
-  simulation_->resume(keys, state.time, static_cast<long>(state.step), drift,
-                      {.speed = detail::size_in(saved, "speed"), .gradient = detail::size_in(saved, "gradient")},
-                      std::move(momentum), ledger);
+  double const first_front = saved.value<double>("first_front"), last_dt = detail::size_in(saved, "last_dt");
+  simulation_->resume(
+      keys, {.time = state.time,
+             .drift = drift,
+             .steps = static_cast<long>(state.step),
+             .mass = detail::size_in(saved, "mass"),
+             .motion = {.speed = detail::size_in(saved, "speed"), .gradient = detail::size_in(saved, "gradient")},
+             .momentum = detail::momentum_of<D>(saved, scene.walls.size()),
+             .ledger = detail::ledger_of<D>(saved)});
   first_front_ = first_front;
+  last_dt_ = last_dt;
 }
 
 }  // namespace talus

@@ -29,6 +29,17 @@ struct Momentum {
   Impulses<D> walls;
 };
 
+/// Where a run has come to, besides its particles and their blocks.
+template <int D>
+struct Reached {
+  double time = 0, drift = 0;  ///< [s], since the last sort [h]
+  long steps = 0;
+  double mass = 0;  ///< of all particles [kg]; kept, because the bits of a sum depend on the order of the particles
+  Motion motion;
+  Momentum<D> momentum;
+  Ledger<D> ledger;
+};
+
 template <int D>
 class Simulation {
  public:
@@ -65,18 +76,18 @@ class Simulation {
     if (scene_.keeps_ledger) ledger_.start = ledger_.now = totals();
   }
   /// Goes on from a checkpoint, whose particles are in their order, with the blocks of these keys.
-  void resume(std::vector<std::uint64_t> keys, double time, long steps, double drift, Motion motion,
-              Momentum<D> momentum, Ledger<D> const& ledger) {
+  void resume(std::vector<std::uint64_t> keys, Reached<D> reached) {
     measure();
     grid_.build(std::move(keys));
     resize();
     scattered_for_ = 0;
-    time_ = time;
-    steps_ = steps;
-    drift_ = drift;
-    motion_ = motion;
-    momentum_ = std::move(momentum);
-    ledger_ = ledger;
+    time_ = reached.time;
+    steps_ = reached.steps;
+    drift_ = reached.drift;
+    mass_ = reached.mass;
+    motion_ = reached.motion;
+    momentum_ = std::move(reached.momentum);
+    ledger_ = reached.ledger;
   }
 
   /// The step that `advance` would take towards `end` [s].

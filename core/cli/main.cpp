@@ -51,8 +51,8 @@ int report_run(RunResult const& result, Arguments const& arguments) {
 }
 
 int resume(Arguments const& arguments) {
-  return report_run(holds_study(arguments.run.folder) ? resume_study(arguments.run) : resume_case(arguments.run),
-                    arguments);
+  return report_run(
+      StudyFolder::is_one(arguments.run.folder) ? resume_study(arguments.run) : resume_case(arguments.run), arguments);
 }
 
 int run(Arguments& arguments) {

@@ -172,10 +172,10 @@ nlohmann::json results_of(std::vector<PointRun> const& runs) {
 RunResult run_point(Document const& document, std::string_view given, RunOptions const& options) {
   StudyPlan const plan = program().study(document);
   std::string const start = io::utc_now();
-  std::vector<StudyCase> const cases = begin_study(plan, document, given, options);
+  BegunStudy const study = begin_study(plan, document, given, options);
+  std::vector<StudyCase> const& cases = study.cases;
   RunResult total;
   std::vector<PointRun> runs;
-  note_stop_signals();
   for (std::size_t k = 0; k < cases.size(); ++k) {
     runs.push_back(run_point_case(cases[k], options.folder, fmt::format("cases/case_{:03}", k), options.quiet));
     if (!runs.back().failure.empty()) total.code = computation_failed;

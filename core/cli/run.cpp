@@ -146,10 +146,6 @@ RunResult Run::finish(ExitCode code) {
   folder_.write("summary.json", result.summary);
   provenance_.end = io::utc_now();
   folder_.write("provenance.json", io::provenance_document(provenance_));
-  io::Outcome const outcome = code == computation_failed ? io::Outcome::failed
-                              : finished                 ? io::Outcome::done
-                                                         : io::Outcome::stopped;
-  folder_.write_status({outcome, static_cast<int>(code), experiment().time(), experiment().steps()});
   if (options_.pictures && code != computation_failed) {
     std::string trouble;
     try {
@@ -159,6 +155,10 @@ RunResult Run::finish(ExitCode code) {
     }
     if (!trouble.empty() && !options_.quiet) fmt::print(stderr, "no pictures: {}\n", trouble);
   }
+  io::Outcome const outcome = code == computation_failed ? io::Outcome::failed
+                              : finished                 ? io::Outcome::done
+                                                         : io::Outcome::stopped;
+  folder_.write_status({outcome, static_cast<int>(code), experiment().time(), experiment().steps()});
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "core/cli/exit_codes.hpp"
 #include "core/cli/program.hpp"
 #include "core/cli/study_cases.hpp"
+#include "core/cli/study_folder.hpp"
 #include "core/cli/verdict.hpp"
 
 namespace talus::cli {
@@ -39,9 +40,6 @@ struct RunResult {
 /// Runs every case of a study into sub-folders, judges its expectations, writes results.json and results.csv.
 [[nodiscard]] RunResult run_study(Document const& document, std::string_view given, RunOptions const& options);
 
-/// Whether a folder is that of a study of runs.
-[[nodiscard]] bool holds_study(std::filesystem::path const& folder);
-
 /// Goes on with the study in a folder: cases that ended are taken as they are, the one that was stopped is resumed, the
 /// others are run. Throws InputError, FileError, CheckpointError.
 [[nodiscard]] RunResult resume_study(RunOptions const& options);
@@ -50,9 +48,15 @@ struct RunResult {
 /// results.json, provenance.json and pictures. Throws InputError, FileError.
 [[nodiscard]] RunResult run_point(Document const& document, std::string_view given, RunOptions const& options);
 
-/// The cases of a study without mistakes; makes its folder, with the document as given in it. Throws InputError with
-/// every mistake, FileError.
-[[nodiscard]] std::vector<StudyCase> begin_study(StudyPlan const& plan, Document const& document,
-                                                 std::string_view given, RunOptions const& options);
+/// A study that may run.
+struct BegunStudy {
+  StudyFolder folder;
+  std::vector<StudyCase> cases;
+};
+
+/// The cases of a study without mistakes, and its folder, with the document as given in it. Throws InputError with every
+/// mistake, FileError.
+[[nodiscard]] BegunStudy begin_study(StudyPlan const& plan, Document const& document, std::string_view given,
+                                     RunOptions const& options);
 
 }  // namespace talus::cli

@@ -144,7 +144,8 @@ void list(std::string const& kind, bool json) {
 
 void describe(std::string const& name, bool json) {
   std::vector<std::string_view> known;
-  for (auto const& [title, outline] : program().documents()) {
+  auto const documents = program().documents();  // kept: `known` looks into it
+  for (auto const& [title, outline] : documents) {
     known.push_back(title);
     if (title != name) continue;
     if (json)

@@ -4,17 +4,16 @@
 
 #include "core/cli/runner.hpp"
 #include "core/cli/show.hpp"
+#include "core/cli/stopping.hpp"
 #include "core/cli/study_cases.hpp"
 #include "core/io/files.hpp"
+#include "core/io/run_folder.hpp"
 
 namespace talus::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The document as it ran, changes of the command line included: what `talus resume` reads.
-constexpr char const* study_as_run = "resolved_study.json";
 
 std::string results_table(StudyPlan const& plan, nlohmann::json const& results) {
   std::string text;
@@ -37,99 +36,119 @@ std::string results_table(StudyPlan const& plan, nlohmann::json const& results) 
   return text;
 }
 
-}  // namespace
-
-std::vector<StudyCase> begin_study(StudyPlan const& plan, Document const& document, std::string_view given,
-                                   RunOptions const& options) {
-  std::vector<StudyCase> cases = cases_of(plan);
-  std::string wrong;
-  for (std::string const& mistake : study_mistakes(plan, cases))
-    wrong += fmt::format("\n{}: {}", document.name, mistake);
-  if (!wrong.empty()) throw InputError(wrong.substr(1));
-  if (!options.force && fs::exists(options.folder) && !fs::is_empty(options.folder))
-    throw FileError(fmt::format("{} is not empty; give another folder or --force", options.folder.string()));
-  fs::create_directories(options.folder / "cases");
-  for (char const* of_earlier : {"results.json", "results.csv", study_as_run}) fs::remove(options.folder / of_earlier);
-  io::write_atomically(options.folder / "study.json", given);
-  return cases;
-}
-
-namespace {
-
-/// How a case ended earlier; none where it has not, or where its folder is of another case.
-std::optional<RunResult> ended_earlier(fs::path const& folder) {
+/// How a case ended earlier; none where it has not.
+std::optional<RunResult> ended_earlier(fs::path const& folder) try {
+  io::Outcome const outcome = io::read_status(folder).outcome;
+  if (outcome != io::Outcome::done && outcome != io::Outcome::failed) return {};
   fs::path const file = folder / "summary.json";
-  if (!fs::exists(file)) return {};
   nlohmann::json summary = parse(io::read_file(file), file.string()).value;
-  auto const code = static_cast<ExitCode>(summary.at("exit_code").get<int>());
-  if (code != computation_failed && !summary.at("finished").get<bool>()) return {};
-  RunResult result{code, {}, std::move(summary)};
-  if (result.summary.contains("expectations")) result.verdicts = verdicts_of(result.summary.at("expectations"));
+  RunResult result{static_cast<ExitCode>(summary.at("exit_code").get<int>()), {}, std::move(summary)};
+  if (result.code == computation_failed)
+    fmt::print(stderr, "it failed earlier: {}\n", result.summary.at("failure").get<std::string>());
+  else
+    result.verdicts = verdicts_of(result.summary.at("expectations"));
   return result;
+} catch (nlohmann::json::exception const&) {  // a file that is not whole: what it said is computed again
+  return {};
+} catch (InputError const&) {
+  return {};
+} catch (FileError const&) {
+  return {};
 }
 
-/// Runs a case. `resumed`: goes on with what its folder holds of this very case, which may be all of it.
-RunResult run_or_resume(StudyCase const& study_case, RunOptions own, bool resumed) {
+/// Whether a folder holds this very case, begun.
+bool holds(fs::path const& folder, std::string const& given) try {
+  static_cast<void>(io::read_status(folder));
+  return fs::exists(folder / "resolved.json") && io::read_file(folder / "case.json") == given;
+} catch (FileError const&) {
+  return false;
+}
+
+/// Runs a case, or goes on with what its folder holds of it, which may be all of it.
+RunResult run_or_resume(StudyCase const& study_case, RunOptions own) {
   std::string const given = study_case.document.value.dump(2) + "\n";
-  bool const begun = resumed && fs::exists(own.folder / "resolved.json") && fs::exists(own.folder / "case.json") &&
-                     io::read_file(own.folder / "case.json") == given;
-  if (!begun) {
-    own.force = own.force || resumed;
+  if (!holds(own.folder, given)) {
+    if (fs::exists(own.folder)) io::remove_run(own.folder);
+    own.force = true;
     return run_case(study_case.document, given, own);
   }
   auto ended = ended_earlier(own.folder);
   return ended ? std::move(*ended) : resume_case(own);
 }
 
-RunResult run_cases(StudyPlan const& plan, std::vector<StudyCase> const& cases, RunOptions const& options,
-                    bool resumed) {
+/// What the study and its cases expect, of a case that came to its end.
+std::vector<Verdict> verdicts_on(StudyPlan const& plan, StudyCase const& study_case, RunResult const& result,
+                                 fs::path const& folder) {
+  std::vector<Verdict> verdicts = result.verdicts;
+  for (Verdict& v : verdicts) v.where = study_case.label;
+  if (result.code == computation_failed || !result.summary.at("finished").get<bool>()) return verdicts;
+  for (Verdict& v : judge(expected_at(plan, study_case), io::read_series(folder / "series.csv"), study_case.label))
+    verdicts.push_back(std::move(v));
+  return verdicts;
+}
+
+RunResult run_cases(StudyPlan const& plan, std::vector<StudyCase> const& cases, StudyFolder const& folder,
+                    RunOptions const& options) {
   RunResult total;
   nlohmann::json results = nlohmann::json::array();
   for (std::size_t k = 0; k < cases.size(); ++k) {
     RunOptions own = options;
-    std::string const folder = fmt::format("case_{:03}", k);
-    own.folder = options.folder / "cases" / folder;
+    own.folder = folder.case_folder(k);
     if (!options.quiet) fmt::print(stderr, "case {} of {}: {}\n", k + 1, cases.size(), cases[k].label);
-    RunResult result = run_or_resume(cases[k], own, resumed);
+    RunResult result = run_or_resume(cases[k], own);
     if (result.code == stopped) return result;
-    for (Verdict& v : result.verdicts) {
-      v.where = cases[k].label;
-      total.verdicts.push_back(v);
-    }
-    if (result.code != computation_failed && result.summary.at("finished").get<bool>())
-      for (Verdict const& v :
-           judge(expected_at(plan, cases[k]), io::read_series(own.folder / "series.csv"), cases[k].label))
-        total.verdicts.push_back(v);
+    for (Verdict& v : verdicts_on(plan, cases[k], result, own.folder)) total.verdicts.push_back(std::move(v));
     if (result.code == computation_failed) total.code = computation_failed;
     nlohmann::json row = std::move(result.summary);
     row["at"] = cases[k].values;
-    row["folder"] = "cases/" + folder;
+    row["folder"] = own.folder.lexically_relative(folder.path()).string();
     results.push_back(std::move(row));
   }
   for (Verdict const& v : total.verdicts)
     if (!v.passed && total.code == done) total.code = expectation_failed;
   total.summary = {{"title", plan.title}, {"cases", results}, {"expectations", verdict_document(total.verdicts)}};
-  io::write_atomically(options.folder / "results.json", total.summary.dump(2) + "\n");
-  io::write_atomically(options.folder / "results.csv", results_table(plan, results));
+  folder.write("results.json", total.summary.dump(2) + "\n");
+  folder.write("results.csv", results_table(plan, results));
   return total;
+}
+
+RunResult run_cases_with_advice(StudyPlan const& plan, std::vector<StudyCase> const& cases, StudyFolder const& folder,
+                                RunOptions const& options) {
+  try {
+    return run_cases(plan, cases, folder, options);
+  } catch (FileError const& error) {
+    throw FileError(
+        fmt::format("{}\n'talus resume {}' goes on with the whole study", error.what(), folder.path().string()));
+  }
 }
 
 }  // namespace
 
-RunResult run_study(Document const& document, std::string_view given, RunOptions const& options) {
-  StudyPlan const plan = program().study(document);
-  std::vector<StudyCase> const cases = begin_study(plan, document, given, options);
-  io::write_atomically(options.folder / study_as_run, document.value.dump(2) + "\n");
-  return run_cases(plan, cases, options, false);
+BegunStudy begin_study(StudyPlan const& plan, Document const& document, std::string_view given,
+                       RunOptions const& options) {
+  std::vector<StudyCase> cases = cases_of(plan);
+  std::string wrong;
+  for (std::string const& mistake : study_mistakes(plan, cases))
+    wrong += fmt::format("\n{}: {}", document.name, mistake);
+  if (!wrong.empty()) throw InputError(wrong.substr(1));
+  note_stop_signals();
+  StudyFolder folder = StudyFolder::create(options.folder, options.force);
+  folder.write("study.json", given);
+  return {std::move(folder), std::move(cases)};
 }
 
-bool holds_study(fs::path const& folder) {
-  return fs::exists(folder / study_as_run);
+RunResult run_study(Document const& document, std::string_view given, RunOptions const& options) {
+  StudyPlan const plan = program().study(document);
+  BegunStudy const study = begin_study(plan, document, given, options);
+  io::write_atomically(study.folder.as_run(), document.value.dump(2) + "\n");
+  return run_cases_with_advice(plan, study.cases, study.folder, options);
 }
 
 RunResult resume_study(RunOptions const& options) {
-  StudyPlan const plan = program().study(load((options.folder / study_as_run).string(), {}));
-  return run_cases(plan, cases_of(plan), options, true);
+  note_stop_signals();
+  StudyFolder const folder = StudyFolder::open(options.folder);
+  StudyPlan const plan = program().study(load(folder.as_run().string(), {}));
+  return run_cases_with_advice(plan, cases_of(plan), folder, options);
 }
 
 }  // namespace talus::cli

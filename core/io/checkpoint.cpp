@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view title = "talus checkpoint, format ";
-constexpr int format = 3;  // 1: blocks by the node below, a cell of drift; 2: no ledger
+constexpr int format = 4;  // 1: blocks by the node below, a cell of drift; 2: no ledger; 3: neither mass nor last step
 constexpr std::size_t header_size = 512;
 
 void write_columns(hid_t file, Snapshot const& snapshot) {

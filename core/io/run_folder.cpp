@@ -24,6 +24,7 @@ constexpr std::string_view status_schema = "talus/status/1";
 constexpr std::array<std::string_view, 4> outcome_names{"running", "done", "failed", "stopped"};
 constexpr std::array<char const*, 3> subfolders{"frames", "checkpoints", "plots"};  // every run has them
 constexpr char const* profiles = "profiles";                                        // one with stations
+constexpr std::array<char const*, 5> everywhere{"frames", "checkpoints", "plots", profiles, ""};
 
 /// The names, relative to the folder, of the files that Talus writes into it, and of what a kill leaves of them.
 /// Without status.json, which marks the folder as a run's: it is replaced, never removed.
@@ -34,15 +35,6 @@ bool is_ours(std::string const& name) {
       R"(|plots/(particles(_side|_last)?|motion|profile_\w+)\.(png|svg))"
       R"(|plots/pictures\.(gp|log)|plots/(side|oblique)_\d{6,}\.dat)(\.tmp)?)");
   return std::regex_match(name, ours);
-}
-
-/// The lock goes with the descriptor, and so with the process, however it ends.
-Descriptor lock(fs::path const& path) {
-  Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.number() < 0) throw file_error("cannot open the folder", path);
-  if (::flock(folder.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw FileError("another process is at work in the folder " + path.string());
-  return folder;
 }
 
 void make_folder(fs::path const& path) {
@@ -80,9 +72,7 @@ void clear(fs::path const& path, std::string const& below, std::string_view endi
 void clear_run(fs::path const& path, std::string_view ending) {
   static_cast<void>(read_status(path));  // throws where this is not the folder of a run
   try {
-    for (std::string const below : subfolders) clear(path, below, ending);
-    clear(path, profiles, ending);
-    clear(path, "", ending);
+    for (std::string const below : everywhere) clear(path, below, ending);
   } catch (fs::filesystem_error const& error) {
     throw FileError("cannot clear the folder " + path.string() + ": " + error.code().message());
   }
@@ -101,12 +91,33 @@ void put_status(fs::path const& path, Status const& status) {
 
 }  // namespace
 
+Descriptor lock_folder(fs::path const& path) {
+  Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.number() < 0) throw file_error("cannot open the folder", path);
+  if (::flock(folder.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw FileError("another process is at work in the folder " + path.string());
+  return folder;
+}
+
+void remove_run(fs::path const& path) {
+  try {
+    for (std::string const below : everywhere) clear(path, below, "");
+    std::error_code kept;  // what holds other files
+    for (auto const* name : {"frames", "checkpoints", "plots", profiles}) fs::remove(path / name, kept);
+    for (auto const& entry : fs::directory_iterator(path))
+      if (auto const name = entry.path().filename(); name != "status.json" && name != "status.json.tmp") return;
+    for (auto const* name : {"status.json", "status.json.tmp", ""}) fs::remove(path / name);
+  } catch (fs::filesystem_error const& error) {
+    throw FileError("cannot clear the folder " + path.string() + ": " + error.code().message());
+  }
+}
+
 RunFolder::RunFolder(fs::path path, Descriptor lock)
     : path_(std::move(path)), lock_(std::move(lock)), log_(path_ / "log.txt") {}
 
 RunFolder RunFolder::create(fs::path const& path, bool force) {
   make_folder(path);
-  auto held = lock(path);
+  auto held = lock_folder(path);
   if (!holds_nothing(path)) {
     if (!force)
       throw FileError("the folder " + path.string() + " is not empty; choose another, or replace its run with --force");
@@ -121,7 +132,7 @@ RunFolder RunFolder::create(fs::path const& path, bool force) {
 
 RunFolder RunFolder::open(fs::path const& path) {
   static_cast<void>(read_status(path));  // throws where this is not the folder of a run
-  auto held = lock(path);
+  auto held = lock_folder(path);
   clear_run(path, ".tmp");  // what a kill left half written
   RunFolder folder(path, std::move(held));
   for (auto const* name : subfolders) make_folder(path / name);

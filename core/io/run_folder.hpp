@@ -72,6 +72,14 @@ class RunFolder {
   GrowingFile log_;
 };
 
+/// Takes a folder for this process. The lock goes with the descriptor, and so with the process, however it ends. Throws
+/// FileError where another process has it.
+[[nodiscard]] Descriptor lock_folder(std::filesystem::path const& path);
+
+/// Removes what Talus wrote into a folder, whole or not, and the folder where nothing else is in it; else status.json
+/// stays, so that a run may take the folder. Throws FileError.
+void remove_run(std::filesystem::path const& path);
+
 /// How the run in a folder stands. Throws FileError where it is not the folder of a run.
 [[nodiscard]] Status read_status(std::filesystem::path const& run_folder);
 

@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(the_error_says_what_is_wrong_and_with_which_file) {
   refused(bytes.substr(0, 5000), "it is cut short: 5000 of " + std::to_string(bytes.size()) + " bytes are left");
   auto other = bytes;
   other[25] = '1';
-  refused(other, "it has format 1, this program reads format 3");
+  refused(other, "it has format 1, this program reads format 4");
   other = bytes;
   other[9000] = static_cast<char>(other[9000] ^ 1);
   refused(other, "it is damaged: its contents do not agree with its checksum");

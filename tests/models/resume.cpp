@@ -80,6 +80,7 @@ std::vector<Wrong> const wrong{
     {"no place", [](auto& c) { column(c, "position").values[0] = NAN; }, "not where its block is"},
     {"another place", [](auto& c) { column(c, "position").values[0] += 0.6; }, "not where its block is"},
     {"drift", [](auto& c) { c.values["drift"] = NAN; }, "its 'drift' is no number from 0 on"},
+    {"mass", [](auto& c) { c.values["mass"] = INFINITY; }, "its 'mass' is no number from 0 on"},
     {"speed", [](auto& c) { c.values["speed"] = -1.0; }, "its 'speed' is no number from 0 on"},
     {"another kind", [](auto& c) { c.values["gradient"] = Numbers{}; }, "'gradient' as another kind"},
     {"walls", [](auto& c) { held<Numbers>(c, "momentum").push_back(0); }, "it has other walls"},

@@ -15,7 +15,7 @@ QUIET = ("-q", "--no-pictures", "-t", "1")
 
 def with_header(contents):
     """The file of a checkpoint with these contents and a true checksum."""
-    text = (f"talus checkpoint, format 3\nHDF5 from byte 512 on\nbytes {len(contents)}\n"
+    text = (f"talus checkpoint, format 4\nHDF5 from byte 512 on\nbytes {len(contents)}\n"
             f"sha256 {hashlib.sha256(contents).hexdigest()}\n")
     return text.encode().ljust(512, b"\n") + contents
 
@@ -51,7 +51,7 @@ class Interruption(InFolder):
         for bad, why in ((b"", "it is empty"), (good[:200], "it is cut short"),
                          (good[:len(good) // 2], "it is cut short"), (b"nonsense", "not a checkpoint of Talus"),
                          (good[512:], "it is an HDF5 file, but not a checkpoint"),
-                         (good.replace(b"format 3", b"format 9", 1), "it has format 9, this program reads format 3"),
+                         (good.replace(b"format 4", b"format 9", 1), "it has format 9, this program reads format 4"),
                          (good[:-900] + bytes([good[-900] ^ 1]) + good[-899:], "do not agree with its checksum")):
             with self.subTest(why):
                 newest.write_bytes(bad)
@@ -73,6 +73,13 @@ class Interruption(InFolder):
         self.talus("resume", "run", *QUIET)
         self.assertEqual(self.hash_of("run"), self.hash_of("whole"))
         self.same_files("whole", "run")
+
+    def test_a_run_that_ended_measures_the_same_when_it_is_resumed(self):
+        self.run_quietly(self.case, "whole")
+        measured = self.read("whole/summary.json")["measures"]
+        self.assertGreater(measured["dt"], 0)
+        self.talus("resume", "whole", *QUIET)
+        self.assertEqual(self.read("whole/summary.json")["measures"], measured)
 
     def test_the_checkpoint_of_another_case_is_refused(self):
         run, newest = self.half_a_run()

@@ -2,10 +2,13 @@
 """`talus resume` on the folder of a study: cases that ended stay as they are, one that was stopped goes on from its
 checkpoint, one that is not there or is another study's is run. The results are those of the undisturbed study."""
 import copy
+import fcntl
+import json
+import os
 import shutil
 import unittest
 
-from talus_process import InFolder, coarse_dam
+from talus_process import SOURCE, InFolder, coarse_dam
 
 NAMES = ("case_000", "case_001", "case_002")
 
@@ -51,6 +54,53 @@ class ResumedStudy(InFolder):
         before = [(file.read_bytes(), file.stat().st_mtime_ns) for file in files]
         self.resumed()
         self.assertEqual([(file.read_bytes(), file.stat().st_mtime_ns) for file in files], before)
+
+    def test_what_is_not_whole_of_a_case_that_ended_is_made_again(self):
+        shutil.copytree(self.folder / "whole", self.folder / "part")
+        case = self.folder / "part/cases/case_001"
+        for name in ("summary.json", "status.json", "case.json"):
+            for text in ("", "{}", "[]", "3", '{"exit_code": "x"}', '{"exit_code": 0, "expectations": [3]}'):
+                with self.subTest(f"{name}: {text}"):
+                    (case / name).write_text(text, encoding="utf-8")
+                    self.resumed()
+
+    def test_forced_it_begins_anew(self):
+        shutil.copytree(self.folder / "whole", self.folder / "part")
+        for name in NAMES:
+            file = self.folder / "part/cases" / name / "summary.json"
+            summary = json.loads(file.read_text(encoding="utf-8"))
+            summary["measures"]["centre_of_mass_x"] = -777
+            file.write_text(json.dumps(summary), encoding="utf-8")
+        (self.folder / "part/cases/case_001/letter.txt").write_text("Dear", encoding="utf-8")
+        self.run_quietly(self.study, "part", "--force", "--until", "0")
+        self.resumed()
+        self.assertEqual((self.folder / "part/cases/case_001/letter.txt").read_text(encoding="utf-8"), "Dear")
+
+    def test_one_process_at_a_time(self):
+        shutil.copytree(self.folder / "whole", self.folder / "part")
+        holder = os.open(self.folder / "part", os.O_RDONLY)
+        self.addCleanup(os.close, holder)
+        fcntl.flock(holder, fcntl.LOCK_EX)
+        for arguments in (("resume", "part"), ("run", self.study, "-o", "part", "--force")):
+            self.assertIn("another process", self.talus(*arguments, code=7).stderr)
+        self.assertTrue((self.folder / "part/results.json").exists())
+
+    def test_a_run_and_a_study_do_not_share_a_folder(self):
+        self.run_quietly(self.save(coarse_dam(), "one.json"), "one", "--until", "0.01")
+        told = self.talus("run", self.study, "-o", "one", "--force", code=7).stderr
+        self.assertIn("one is the folder of a run; give another folder", told)
+        told = self.talus("run", "one.json", "-o", "whole", "--force", code=7).stderr
+        self.assertIn("not the folder of a run", told)
+        self.assertTrue((self.folder / "whole/results.json").exists())
+
+    def test_points_and_studies_replace_each_other(self):
+        point = SOURCE / "verification/points/oedometer.json"
+        self.talus("point", point, "-o", "part", "-q", "--no-pictures")
+        self.assertIn("run its document again with --force", self.talus("resume", "part", code=6).stderr)
+        self.run_quietly(self.study, "part", "--force", code=5)
+        self.resumed()
+        self.talus("point", point, "-o", "part", "-q", "--no-pictures", "--force")
+        self.talus("resume", "part", code=6)
 
     def test_cases_of_an_earlier_study_in_the_folder_are_run_anew(self):
         self.run_quietly(self.save(slopes(0, 5, 15), "other.json"), "part", code=5)
