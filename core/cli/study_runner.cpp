@@ -36,18 +36,24 @@ std::string results_table(StudyPlan const& plan, nlohmann::json const& results) 
   return text;
 }
 
-/// How a case ended earlier; none where it has not.
-std::optional<RunResult> ended_earlier(fs::path const& folder) try {
+/// How a case ended earlier; none where it has not, or where what it left is not whole.
+std::optional<RunResult> ended_earlier(fs::path const& folder, bool quiet) try {
   io::Outcome const outcome = io::read_status(folder).outcome;
   if (outcome != io::Outcome::done && outcome != io::Outcome::failed) return {};
   fs::path const file = folder / "summary.json";
   nlohmann::json summary = parse(io::read_file(file), file.string()).value;
+  for (char const* name : {"finished", "steps", "wall_seconds"}) static_cast<void>(summary.at(name));
   RunResult result{static_cast<ExitCode>(summary.at("exit_code").get<int>()), {}, std::move(summary)};
-  if (result.code == computation_failed)
-    fmt::print(stderr, "it failed earlier: {}\n", result.summary.at("failure").get<std::string>());
-  else
-    result.verdicts = verdicts_of(result.summary.at("expectations"));
-  return result;
+  if (outcome == io::Outcome::failed) {
+    if (!quiet) fmt::print(stderr, "it failed earlier: {}\n", result.summary.at("failure").get<std::string>());
+    return result;
+  }
+  result.verdicts = verdicts_of(result.summary.at("expectations"));
+  io::Series const series = io::read_series(folder / "series.csv");
+  auto const* const times = series.find("time");
+  bool const whole = times != nullptr && !times->empty() && times->back() == result.summary.at("time").get<double>() &&
+                     result.summary.at("measures").is_object() && result.summary.at("finished").get<bool>();
+  return whole ? std::optional(std::move(result)) : std::nullopt;
 } catch (nlohmann::json::exception const&) {  // a file that is not whole: what it said is computed again
   return {};
 } catch (InputError const&) {
@@ -72,7 +78,7 @@ RunResult run_or_resume(StudyCase const& study_case, RunOptions own) {
     own.force = true;
     return run_case(study_case.document, given, own);
   }
-  auto ended = ended_earlier(own.folder);
+  auto ended = ended_earlier(own.folder, own.quiet);
   return ended ? std::move(*ended) : resume_case(own);
 }
 
@@ -96,7 +102,10 @@ RunResult run_cases(StudyPlan const& plan, std::vector<StudyCase> const& cases, 
     own.folder = folder.case_folder(k);
     if (!options.quiet) fmt::print(stderr, "case {} of {}: {}\n", k + 1, cases.size(), cases[k].label);
     RunResult result = run_or_resume(cases[k], own);
-    if (result.code == stopped) return result;
+    if (result.code == stopped) {
+      folder.remove_results();
+      return result;
+    }
     for (Verdict& v : verdicts_on(plan, cases[k], result, own.folder)) total.verdicts.push_back(std::move(v));
     if (result.code == computation_failed) total.code = computation_failed;
     nlohmann::json row = std::move(result.summary);
@@ -132,22 +141,25 @@ BegunStudy begin_study(StudyPlan const& plan, Document const& document, std::str
     wrong += fmt::format("\n{}: {}", document.name, mistake);
   if (!wrong.empty()) throw InputError(wrong.substr(1));
   note_stop_signals();
-  StudyFolder folder = StudyFolder::create(options.folder, options.force);
-  folder.write("study.json", given);
-  return {std::move(folder), std::move(cases)};
+  return {StudyFolder::create(options.folder, options.force, document, given), std::move(cases)};
 }
 
 RunResult run_study(Document const& document, std::string_view given, RunOptions const& options) {
   StudyPlan const plan = program().study(document);
   BegunStudy const study = begin_study(plan, document, given, options);
-  io::write_atomically(study.folder.as_run(), document.value.dump(2) + "\n");
   return run_cases_with_advice(plan, study.cases, study.folder, options);
 }
 
 RunResult resume_study(RunOptions const& options) {
   note_stop_signals();
   StudyFolder const folder = StudyFolder::open(options.folder);
-  StudyPlan const plan = program().study(load(folder.as_run().string(), {}));
+  Document const document = folder.document();
+  if (is_point(document.value))
+    throw CheckpointError(
+        fmt::format("there is nothing to resume in {}: it is the folder of a material point; run its document again "
+                    "with --force",
+                    options.folder.string()));
+  StudyPlan const plan = program().study(document);
   return run_cases_with_advice(plan, cases_of(plan), folder, options);
 }
 

@@ -100,6 +100,8 @@ Descriptor lock_folder(fs::path const& path) {
 }
 
 void remove_run(fs::path const& path) {
+  if (fs::is_symlink(path)) throw FileError(path.string() + " is a link: will not clear it");
+  auto const held = lock_folder(path);
   try {
     for (std::string const below : everywhere) clear(path, below, "");
     std::error_code kept;  // what holds other files

@@ -77,7 +77,7 @@ class RunFolder {
 [[nodiscard]] Descriptor lock_folder(std::filesystem::path const& path);
 
 /// Removes what Talus wrote into a folder, whole or not, and the folder where nothing else is in it; else status.json
-/// stays, so that a run may take the folder. Throws FileError.
+/// stays, so that a run may take the folder. Throws FileError, also where it is a link or in use.
 void remove_run(std::filesystem::path const& path);
 
 /// How the run in a folder stands. Throws FileError where it is not the folder of a run.

@@ -59,10 +59,15 @@ class ResumedStudy(InFolder):
         shutil.copytree(self.folder / "whole", self.folder / "part")
         case = self.folder / "part/cases/case_001"
         for name in ("summary.json", "status.json", "case.json"):
-            for text in ("", "{}", "[]", "3", '{"exit_code": "x"}', '{"exit_code": 0, "expectations": [3]}'):
+            for text in ("", "{}", "[]", "3", '{"exit_code": "x"}', '{"exit_code": 0, "expectations": [3]}',
+                         '{"exit_code": 0, "expectations": [], "finished": true}'):
                 with self.subTest(f"{name}: {text}"):
                     (case / name).write_text(text, encoding="utf-8")
                     self.resumed()
+        for text in ("", (case / "series.csv").read_text(encoding="utf-8")[:1000]):
+            (case / "series.csv").write_text(text, encoding="utf-8")
+            self.assertIn("series.csv", self.talus("resume", "part", "-q", code=6).stderr)
+            self.assertTrue((self.folder / "part/results.json").exists())
 
     def test_forced_it_begins_anew(self):
         shutil.copytree(self.folder / "whole", self.folder / "part")
@@ -83,15 +88,37 @@ class ResumedStudy(InFolder):
         fcntl.flock(holder, fcntl.LOCK_EX)
         for arguments in (("resume", "part"), ("run", self.study, "-o", "part", "--force")):
             self.assertIn("another process", self.talus(*arguments, code=7).stderr)
+        fcntl.flock(holder, fcntl.LOCK_UN)
+        in_a_case = os.open(self.folder / "part/cases/case_002", os.O_RDONLY)
+        self.addCleanup(os.close, in_a_case)
+        fcntl.flock(in_a_case, fcntl.LOCK_EX)
+        self.assertIn("another process", self.talus("run", self.study, "-o", "part", "--force", code=7).stderr)
+        self.assertTrue((self.folder / "part/cases/case_000/summary.json").exists())
         self.assertTrue((self.folder / "part/results.json").exists())
 
     def test_a_run_and_a_study_do_not_share_a_folder(self):
         self.run_quietly(self.save(coarse_dam(), "one.json"), "one", "--until", "0.01")
         told = self.talus("run", self.study, "-o", "one", "--force", code=7).stderr
-        self.assertIn("one is the folder of a run; give another folder", told)
+        self.assertIn("not the folder of a study", told)
         told = self.talus("run", "one.json", "-o", "whole", "--force", code=7).stderr
         self.assertIn("not the folder of a run", told)
         self.assertTrue((self.folder / "whole/results.json").exists())
+
+    def test_files_and_folders_of_others_stay(self):
+        mine = self.folder / "mine"
+        (mine / "cases/case_001").mkdir(parents=True)
+        for name in ("results.csv", "results.json", "study.json", "cases/case_001/series.csv"):
+            (mine / name).write_text("Dear", encoding="utf-8")
+        self.assertIn("not the folder of a study", self.talus("run", self.study, "-o", "mine", "--force", code=7).stderr)
+        self.assertEqual([path.read_text(encoding="utf-8") for path in mine.rglob("*.*")], ["Dear"] * 4)
+        shutil.copytree(self.folder / "whole", self.folder / "part")
+        for link in ("cases/case_001", "cases"):
+            shutil.move(self.folder / "part" / link, self.folder / "elsewhere")
+            (self.folder / "part" / link).symlink_to(self.folder / "elsewhere")
+            self.assertIn("is a link", self.talus("run", self.study, "-o", "part", "--force", code=7).stderr)
+            (self.folder / "part" / link).unlink()
+            shutil.move(self.folder / "elsewhere", self.folder / "part" / link)
+        self.resumed()
 
     def test_points_and_studies_replace_each_other(self):
         point = SOURCE / "verification/points/oedometer.json"
