@@ -22,10 +22,10 @@ bool is_there(fs::path const& path) {
   return fs::exists(path, unknown);
 }
 
-/// Nothing, or what a kill leaves of a study that had only just begun.
+/// Nothing, or what a kill leaves of a study that had only just begun: the mark, with another ending behind its name.
 bool holds_nothing(fs::path const& path) {
   for (auto const& entry : fs::directory_iterator(path))
-    if (entry.path().filename() != std::string(as_run) + ".tmp") return false;
+    if (entry.path().stem() != as_run) return false;
   return true;
 }
 
