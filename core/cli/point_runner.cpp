@@ -177,7 +177,7 @@ RunResult run_point(Document const& document, std::string_view given, RunOptions
   RunResult total;
   std::vector<PointRun> runs;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    runs.push_back(run_point_case(cases[k], options.folder, fmt::format("cases/case_{:03}", k), options.quiet));
+    runs.push_back(run_point_case(cases[k], options.folder, StudyFolder::case_folder(k), options.quiet));
     if (!runs.back().failure.empty()) total.code = computation_failed;
     if (runs.back().stopped) {
       total.code = stopped;

@@ -108,8 +108,8 @@ void StudyFolder::remove_results() const {
   for (auto const* name : {"results.json", "results.csv"}) fs::remove(path_ / name);
 }
 
-fs::path StudyFolder::case_folder(std::size_t number) const {
-  return path_ / "cases" / fmt::format("case_{:03}", number);
+std::string StudyFolder::case_folder(std::size_t number) {
+  return fmt::format("cases/case_{:03}", number);
 }
 
 }  // namespace talus::cli

@@ -2,6 +2,7 @@
 /// The folder of a study, of runs or of material points: who may write into it, and what is in it.
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "core/config/json.hpp"
@@ -30,7 +31,8 @@ class StudyFolder {
   [[nodiscard]] static bool is_one(std::filesystem::path const& path);
 
   [[nodiscard]] std::filesystem::path const& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path case_folder(std::size_t number) const;
+  /// The folder of a case, below the study's.
+  [[nodiscard]] static std::string case_folder(std::size_t number);
   /// The document as it ran, changes of the command line included. Throws InputError, FileError.
   [[nodiscard]] Document document() const;
 

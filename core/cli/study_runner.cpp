@@ -99,7 +99,7 @@ RunResult run_cases(StudyPlan const& plan, std::vector<StudyCase> const& cases, 
   nlohmann::json results = nlohmann::json::array();
   for (std::size_t k = 0; k < cases.size(); ++k) {
     RunOptions own = options;
-    own.folder = folder.case_folder(k);
+    own.folder = folder.path() / StudyFolder::case_folder(k);
     if (!options.quiet) fmt::print(stderr, "case {} of {}: {}\n", k + 1, cases.size(), cases[k].label);
     RunResult result = run_or_resume(cases[k], own);
     if (result.code == stopped) {
@@ -110,7 +110,7 @@ RunResult run_cases(StudyPlan const& plan, std::vector<StudyCase> const& cases, 
     if (result.code == computation_failed) total.code = computation_failed;
     nlohmann::json row = std::move(result.summary);
     row["at"] = cases[k].values;
-    row["folder"] = own.folder.lexically_relative(folder.path()).string();
+    row["folder"] = StudyFolder::case_folder(k);
     results.push_back(std::move(row));
   }
   for (Verdict const& v : total.verdicts)

@@ -105,7 +105,8 @@ void remove_run(fs::path const& path) {
   try {
     for (std::string const below : everywhere) clear(path, below, "");
     std::error_code kept;  // what holds other files
-    for (auto const* name : {"frames", "checkpoints", "plots", profiles}) fs::remove(path / name, kept);
+    for (auto const* name : subfolders) fs::remove(path / name, kept);
+    fs::remove(path / profiles, kept);
     for (auto const& entry : fs::directory_iterator(path))
       if (auto const name = entry.path().filename(); name != "status.json" && name != "status.json.tmp") return;
     for (auto const* name : {"status.json", "status.json.tmp", ""}) fs::remove(path / name);
