@@ -195,7 +195,8 @@ void judge_packs(Tally& tally, Court<L> const& court, support::TrialSampler& sam
     static_cast<void>(map(trial, dt, plastic));
     evaluations = counting.asked;
   } else {
-    law::CamClayMap const map{court.law.surface, court.law.hardening, court.K, court.G};
+    using Hardening = std::remove_cvref_t<decltype(court.law.hardening)>;
+    law::CamClayMap<Hardening> const map{court.law.surface, court.law.hardening, court.K, court.G};
     evaluations = map(p, q, eps_V, p_c, plastic).iterations;
   }
   tally.most_iterations = std::max(tally.most_iterations, evaluations);
