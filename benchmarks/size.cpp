@@ -81,8 +81,9 @@ Result size(Options const& options) {
     curve.high.push_back(1e9 / particles * quantile(crowds.times[k], 0.75));
   }
   sorts.notes = {
-      "One sort is timed by itself, with the making of the grid. Steps between sorts follow from the "
-      "largest speed: particles may drift half a cell."};
+      "One sort: what it takes, with the making of the grid and the step after it, more than a usual step. Steps "
+      "between "
+      "sorts follow from the largest speed: particles may drift half a cell."};
   return {{cost, even, sorts},
           {{"size",
             "Cost of a particle-step by number of particles",

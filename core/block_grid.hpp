@@ -59,8 +59,9 @@ class BlockGrid {
   /// periods: number of blocks after which an axis repeats, 0 where it does not.
   explicit BlockGrid(BlockIndex<D> periods = {}) : periods_(periods) {}
 
-  /// Builds the tables for particle blocks with these keys (sorted, each once).
+  /// Builds the tables for particle blocks with these keys (sorted, each once), unless they are what there is.
   void build(std::vector<std::uint64_t> keys) {
+    if (keys == particle_keys_) return;
     particle_keys_ = std::move(keys);
     find_node_blocks();
     link();
@@ -71,6 +72,8 @@ class BlockGrid {
   [[nodiscard]] std::size_t node_blocks() const { return node_keys_.size(); }
   [[nodiscard]] std::vector<std::uint64_t> const& particle_keys() const { return particle_keys_; }
   [[nodiscard]] BlockIndex<D> particle_block(std::size_t b) const { return place_of<D>(particle_keys_[b]); }
+  /// The place of neighbour n of particle block b, not brought back into the period.
+  [[nodiscard]] BlockIndex<D> neighbour(std::size_t b, int n) const { return moved(particle_keys_[b], n); }
   [[nodiscard]] BlockIndex<D> node_block(std::size_t b) const { return place_of<D>(node_keys_[b]); }
   /// Number of the node block at a place, or -1 where there is none.
   [[nodiscard]] std::ptrdiff_t find_node_block(BlockIndex<D> const& place) const {
@@ -98,17 +101,17 @@ class BlockGrid {
   }
 
  private:
-  BlockIndex<D> moved(std::uint64_t key, int neighbour, int sign) const {
+  static BlockIndex<D> moved(std::uint64_t key, int neighbour) {
     BlockIndex<D> place = place_of<D>(key);
     BlockIndex<D> const step = neighbour_step<D>(neighbour);
-    for (int d = 0; d < D; ++d) place[static_cast<std::size_t>(d)] += sign * step[static_cast<std::size_t>(d)];
-    return wrap(place);
+    for (std::size_t d = 0; d < D; ++d) place[d] += step[d];
+    return place;
   }
 
   void find_node_blocks() {
     node_keys_.clear();
     for (std::uint64_t key : particle_keys_)
-      for (int n = 0; n < neighbour_count<D>; ++n) node_keys_.push_back(key_of<D>(moved(key, n, 1)));
+      for (int n = 0; n < neighbour_count<D>; ++n) node_keys_.push_back(key_of<D>(wrap(moved(key, n))));
     std::sort(node_keys_.begin(), node_keys_.end());
     node_keys_.erase(std::unique(node_keys_.begin(), node_keys_.end()), node_keys_.end());
   }
@@ -122,7 +125,7 @@ class BlockGrid {
     nodes_around_.resize(particle_keys_.size());
     for (std::size_t b = 0; b < particle_keys_.size(); ++b)
       for (int n = 0; n < neighbour_count<D>; ++n)
-        nodes_around_[b][static_cast<std::size_t>(n)] = find(node_keys_, key_of<D>(moved(particle_keys_[b], n, 1)));
+        nodes_around_[b][static_cast<std::size_t>(n)] = find(node_keys_, key_of<D>(wrap(moved(particle_keys_[b], n))));
   }
 
   [[nodiscard]] int colour(std::uint64_t key) const {

@@ -6,18 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/block_grid.hpp"
 #include "core/layout.hpp"
+#include "core/particle_sort.hpp"
 
 namespace talus {
-
-/// The particles of one material in one block: `particles` of them from chunk `first_chunk` on.
-struct Run {
-  std::int32_t block = 0, material = 0;
-  std::ptrdiff_t first_chunk = 0;
-  int particles = 0;
-  [[nodiscard]] int chunks() const { return (particles + lanes - 1) / lanes; }
-};
 
 /// Storage, order and the drift since the last sort. Fields are those of the layout, all doubles.
 template <int D>
@@ -33,8 +25,9 @@ class Particles {
   [[nodiscard]] std::vector<Run> const& runs() const { return runs_; }
   /// Runs of block b: first_run(b) ... first_run(b + 1) - 1.
   [[nodiscard]] std::size_t first_run(std::size_t block) const { return first_run_[block]; }
+  [[nodiscard]] std::ptrdiff_t chunks() const { return chunks_; }
   [[nodiscard]] int most_chunks_of_a_run() const { return most_chunks_; }
-  [[nodiscard]] std::size_t bytes() const { return (data_.size() + spare_.size()) * sizeof(Lanes); }
+  [[nodiscard]] std::size_t bytes() const { return (data_.size() + spare_.size()) * sizeof(Lanes) + sort_.bytes(); }
 
   /// What a kernel sees of a run.
   [[nodiscard]] Batch<D> batch(Run const& run, double spacing, BlockIndex<D> const& block) {
@@ -63,6 +56,14 @@ class Particles {
     data_[static_cast<std::size_t>(slot / lanes * layout_.packs() + pack)].set(static_cast<int>(slot % lanes), value);
   }
 
+  /// Positions of chunk c [m].
+  [[nodiscard]] Lanes const* position(std::ptrdiff_t c) const {
+    return data_.data() + c * layout_.packs() + places_.position;
+  }
+  [[nodiscard]] double position(std::ptrdiff_t slot, int d) const { return get(slot, places_.position + d); }
+  void move(std::ptrdiff_t slot, int d, double by) { set(slot, places_.position + d, position(slot, d) + by); }
+  [[nodiscard]] long identity(std::ptrdiff_t slot) const { return static_cast<long>(get(slot, places_.identity)); }
+
   /// Makes room for runs of particles in this order, all fields zero; the caller fills them in.
   void allocate(std::vector<Run> runs, std::size_t blocks) {
     runs_ = std::move(runs);
@@ -82,14 +83,9 @@ class Particles {
   void sort(BlockGrid<D>& grid, double spacing, double base_shift);
 
  private:
-  struct Bin {
-    std::uint64_t key;
-    std::int32_t cell, material;
-  };
-  Bin bin_of(BlockGrid<D> const& grid, double spacing, double base_shift, std::ptrdiff_t slot, int material);
   void lay_out(std::size_t blocks);
-  void move_to_spare(std::vector<std::ptrdiff_t> const& slots);
-  void park_empty_lanes(BlockGrid<D> const& grid, double spacing, double base_shift);
+  void move_to_spare(Run const& run, std::ptrdiff_t const* slots);
+  void park_empty_lanes(Run const& run, BlockIndex<D> const& block, double spacing, double base_shift);
 
   Layout layout_;
   FieldOffsets places_;
@@ -99,6 +95,7 @@ class Particles {
   std::vector<Run> runs_;
   std::vector<std::size_t> first_run_;
   std::vector<Lanes> data_, spare_;
+  ParticleSort<D> sort_;
 };
 
 template <int D>
@@ -118,96 +115,49 @@ void Particles<D>::lay_out(std::size_t blocks) {
 }
 
 template <int D>
-typename Particles<D>::Bin Particles<D>::bin_of(BlockGrid<D> const& grid, double spacing, double base_shift,
-                                                std::ptrdiff_t slot, int material) {
-  BlockIndex<D> place{};
-  std::int32_t cell = 0;
-  for (int d = 0; d < D; ++d) {
-    double const x = get(slot, places_.position + d), base = std::floor(x / spacing - base_shift + 0.5);
-    if (!(std::abs(base) < double(block_edge) * (farthest_block - 2)))
-      throw RunError("particle " + std::to_string(static_cast<long>(get(slot, places_.identity))) +
-                     " is outside the space that can be addressed: coordinate " + std::to_string(d) + " is " +
-                     std::to_string(x) + " m");
-    place[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(std::floor(base / block_edge));
-    cell = cell * block_edge + static_cast<std::int32_t>(base) - block_edge * place[static_cast<std::size_t>(d)];
-  }
-  BlockIndex<D> const wrapped = grid.wrap(place);
-  for (int d = 0; d < D; ++d)
-    if (int const shift = wrapped[static_cast<std::size_t>(d)] - place[static_cast<std::size_t>(d)]; shift != 0)
-      set(slot, places_.position + d, get(slot, places_.position + d) + shift * block_edge * spacing);
-  return {key_of<D>(wrapped), cell, material};
-}
-
-template <int D>
 void Particles<D>::sort(BlockGrid<D>& grid, double spacing, double base_shift) {
-  constexpr std::int32_t cells = D == 2 ? block_edge * block_edge : block_edge * block_edge * block_edge;
-  std::vector<Bin> bins;
-  std::vector<std::ptrdiff_t> slots;
-  std::vector<std::uint64_t> keys;
-  std::int32_t materials = 1;
-  bins.reserve(count_);
-  slots.reserve(count_);
-  for_each([&](std::ptrdiff_t slot, std::int32_t material) {
-    bins.push_back(bin_of(grid, spacing, base_shift, slot, material));
-    slots.push_back(slot);
-    if (keys.empty() || keys.back() != bins.back().key) keys.push_back(bins.back().key);
-    materials = std::max(materials, material + 1);
-  });
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  grid.build(keys);
-
-  // Counting sort by (block, material, cell); equal ones keep their order.
-  std::vector<std::size_t> rank(bins.size());
-  std::vector<std::size_t> start(keys.size() * static_cast<std::size_t>(materials * cells) + 1, 0);
-  std::size_t block = 0;
-  for (std::size_t k = 0; k < bins.size(); ++k) {
-    if (keys[block] != bins[k].key)
-      block = static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), bins[k].key) - keys.begin());
-    rank[k] = (block * static_cast<std::size_t>(materials) + static_cast<std::size_t>(bins[k].material)) *
-                  static_cast<std::size_t>(cells) +
-              static_cast<std::size_t>(bins[k].cell);
-    ++start[rank[k] + 1];
+  sort_.find(*this, grid, spacing, base_shift);
+  runs_ = sort_.runs();
+  lay_out(grid.particle_blocks());
+  auto const packs = static_cast<std::size_t>(chunks_ * layout_.packs());
+  if (packs > spare_.capacity()) {  // with some to spare, and nothing to copy
+    spare_ = {};
+    spare_.reserve(packs + packs / 16);
   }
-  for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-  runs_.clear();
-  for (std::size_t b = 0; b < keys.size(); ++b)
-    for (std::int32_t m = 0; m < materials; ++m) {
-      std::size_t const at = (b * static_cast<std::size_t>(materials) + static_cast<std::size_t>(m)) * cells;
-      if (auto const n = start[at + cells] - start[at]; n > 0)
-        runs_.push_back({static_cast<std::int32_t>(b), m, 0, static_cast<int>(n)});
-    }
-  std::vector<std::ptrdiff_t> ordered(slots.size());
-  for (std::size_t k = 0; k < slots.size(); ++k) ordered[start[rank[k]]++] = slots[k];
-  lay_out(keys.size());
-  move_to_spare(ordered);
-  data_.swap(spare_);
-  park_empty_lanes(grid, spacing, base_shift);
-}
-
-template <int D>
-void Particles<D>::move_to_spare(std::vector<std::ptrdiff_t> const& slots) {
-  spare_.assign(static_cast<std::size_t>(chunks_ * layout_.packs()), Lanes(0.0));
-  auto const* from = reinterpret_cast<double const*>(data_.data());
-  auto* to = reinterpret_cast<double*>(spare_.data());
-  std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(layout_.packs()) * lanes;
-  std::size_t k = 0;
-  for_each([&](std::ptrdiff_t slot, int) {
-    double const* source = from + slots[k] / lanes * stride + slots[k] % lanes;
-    double* target = to + slot / lanes * stride + slot % lanes;
-    ++k;
-    for (int pack = 0; pack < layout_.packs(); ++pack) target[pack * lanes] = source[pack * lanes];
+  spare_.resize(packs);
+  for_each_index(static_cast<std::ptrdiff_t>(runs_.size()), [&](std::ptrdiff_t r) {
+    Run const& run = runs_[static_cast<std::size_t>(r)];
+    move_to_spare(run, sort_.slots(static_cast<std::size_t>(r)));
+    park_empty_lanes(run, grid.particle_block(static_cast<std::size_t>(run.block)), spacing, base_shift);
   });
+  data_.swap(spare_);
 }
 
 template <int D>
-void Particles<D>::park_empty_lanes(BlockGrid<D> const& grid, double spacing, double base_shift) {
-  for (Run const& run : runs_) {
-    BlockIndex<D> const block = grid.particle_block(static_cast<std::size_t>(run.block));
-    for (int k = run.particles; k < run.chunks() * lanes; ++k)
-      for (int d = 0; d < D; ++d)
-        set(run.first_chunk * lanes + k, places_.position + d,
-            spacing * (block_edge * (block[static_cast<std::size_t>(d)] + 0.5) + base_shift));
+void Particles<D>::move_to_spare(Run const& run, std::ptrdiff_t const* slots) {
+  auto const* const from = reinterpret_cast<double const*>(data_.data());
+  std::ptrdiff_t const packs = layout_.packs(), stride = packs * lanes;
+  for (int c = 0; c < run.chunks(); ++c) {
+    auto* const chunk = reinterpret_cast<double*>(spare_.data() + (run.first_chunk + c) * packs);
+    int const filled = std::min(lanes, run.particles - c * lanes);
+    for (int lane = 0; lane < filled; ++lane) {
+      std::ptrdiff_t const slot = slots[c * lanes + lane];
+      double const* source = from + slot / lanes * stride + slot % lanes;
+      for (std::ptrdiff_t k = 0; k < stride; k += lanes) chunk[k + lane] = source[k];
+    }
+  }
+}
+
+/// Empty lanes are zero but for their place, in the middle of the block.
+template <int D>
+void Particles<D>::park_empty_lanes(Run const& run, BlockIndex<D> const& block, double spacing, double base_shift) {
+  int const filled = run.particles - (run.chunks() - 1) * lanes;
+  Lanes* const last = spare_.data() + (run.first_chunk + run.chunks() - 1) * layout_.packs();
+  for (int lane = filled; lane < lanes; ++lane) {
+    for (int k = 0; k < layout_.packs(); ++k) last[k].set(lane, 0);
+    for (int d = 0; d < D; ++d)
+      last[places_.position + d].set(lane,
+                                     spacing * (block_edge * (block[static_cast<std::size_t>(d)] + 0.5) + base_shift));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// A simulation as something that is timed.
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,25 +27,35 @@ bool advance(Simulation<D>& simulation) {
   return simulation.sorts() != before;
 }
 
-/// Warms a simulation up by some steps and measures its sorts. One `begin` is timed in place of a sort: it sorts,
-/// makes the grid anew, and reads every mass and velocity besides, so that this is an upper bound.
+/// Warms a simulation up by some steps and measures its sorts: what a `begin` and the step after it take more than a usual
+/// step. `begin` sorts and reads every mass and velocity besides, and the step before it scattered in vain for that after
+/// it, so that this is an upper bound.
 template <int D>
 [[nodiscard]] SortCost measure_sort(Simulation<D>& simulation, Clock clock, int steps = 12) {
-  std::vector<double> times;
+  auto const timed = [&](auto const& work) {
+    double const begin = seconds(clock);
+    work();
+    return seconds(clock) - begin;
+  };
+  std::vector<double> usual, sorted;
   double drift = 0;
-  int counted = 0;
   for (int round = 0; round < 3; ++round) {
     for (int k = 0; k < steps / 3; ++k) {
       double const before = simulation.drift();
-      if (advance(simulation)) continue;
+      bool sorts = false;
+      double const time = timed([&] { sorts = advance(simulation); });
+      if (sorts) continue;
+      usual.push_back(time);
       drift += simulation.drift() - before;
-      ++counted;
     }
-    double const begin = seconds(clock);
-    simulation.begin();
-    times.push_back(seconds(clock) - begin);
+    sorted.push_back(timed([&] {
+      simulation.begin();
+      advance(simulation);
+    }));
   }
-  return {quantile(times, 0.5), drift > 0 ? drift_limit * counted / drift : std::numeric_limits<double>::infinity()};
+  double const cost = std::max(0.0, quantile(sorted, 0.5) - quantile(usual, 0.5));
+  return {cost, drift > 0 ? drift_limit * static_cast<double>(usual.size()) / drift
+                          : std::numeric_limits<double>::infinity()};
 }
 
 /// The simulation on so many threads; pays for its sorts. Warms it up.
