@@ -25,6 +25,7 @@ struct Batch {
   int count = 0;                 ///< chunks
   int particles = 0;             ///< particles, at most count * lanes
   int stride = 0;                ///< packs from one chunk to the next
+  int used = 0;                  ///< packs of a chunk that a step reads or writes, from its start on
   FieldOffsets at;
   double spacing = 0;           ///< h [m]
   std::array<double, D> first;  ///< the arena's first node, in units of h
@@ -36,11 +37,11 @@ struct Batch {
   [[gnu::always_inline]] void prefetch(int c) const {
     int const there = c + 2;
     Lanes const* wanted = there < count ? chunk(there) : ahead + static_cast<std::ptrdiff_t>(there - count) * stride;
-    for (Lanes const* const end = wanted + stride; wanted < end; wanted += 4) {
+    for (Lanes const* const end = wanted + used; wanted < end; wanted += 4) {
       __builtin_prefetch(wanted);
       __builtin_prefetch(wanted + 1);
       __builtin_prefetch(wanted + 2);
-      __builtin_prefetch(wanted + 3);  // the last ones may be of the chunk behind, which is next
+      __builtin_prefetch(wanted + 3);  // the last ones may lie behind what is used
     }
   }
   /// Lanes of chunk c that hold a particle.

@@ -37,6 +37,7 @@ class Particles {
     b.ahead = b.chunks + static_cast<std::ptrdiff_t>(b.count) * layout_.packs();
     b.particles = run.particles;
     b.stride = layout_.packs();
+    b.used = b.stride - (places_.identity == b.stride - 1 ? 1 : 0);
     b.at = places_;
     b.spacing = spacing;
     for (std::size_t d = 0; d < D; ++d) b.first[d] = block_edge * double(block[d]) - 1;
