@@ -158,6 +158,17 @@ inline Register const& part(Lanes const& pack, int r) {
   return r == 0 ? pack.low : pack.high;
 }
 
+/// A value that is used many times and is to stay in its register: g++ would load it from memory at every use, as an
+/// operand of the instruction.
+[[gnu::always_inline]] inline Register held(Register value) {
+#ifdef __AVX512VL__
+  asm("" : "+v"(value.value));
+#elif defined(__SSE2__)
+  asm("" : "+x"(value.value));
+#endif
+  return value;
+}
+
 template <int N>
 bool any(Mask<N> m) {
   if constexpr (N > register_lanes) {

@@ -87,45 +87,57 @@ struct Spread {
   }
 };
 
-/// (5) on the line of nodes (i, j, .) of one particle; in the plane, on the node itself.
-/// tail: the factors of dimensions other than the first are not zero.
-template <int D, class Kernel, bool tail>
-[[gnu::always_inline]] inline NodeVector line_of(Factors<D, Kernel> const& p, int i, int j, int lane, NodeVector w_i,
-                                                 NodeVector w_j) {
-  NodeVector const line = w_j * p.factor[0][i][lane];
-  return tail ? line + w_i * p.factor[1][j][lane] : line;
-}
+/// A particle's weights and factors along the last dimension, in registers: every line of its nodes takes them all.
+template <int D, class Kernel, Scatter S>
+struct Last {
+  static constexpr int width = Kernel::width, vectors = S.apart ? 2 : 1, last = D - 1;
+  static constexpr bool arms = Spread<D, Kernel, S>::arms, pushed = S.loaded && S.apart;
+  NodeVector weight[width], momentum[width], impulse[width];
+
+  [[gnu::always_inline]] Last(Spread<D, Kernel, S> const& p, Stencil<D, Kernel> const& stencil, int lane) {
+#pragma GCC unroll 4
+    for (int k = 0; k < width; ++k) {
+      weight[k] = held(NodeVector(stencil.weight[last][k][lane]));
+      if (arms) momentum[k] = held(p.momentum.factor[last][k][lane]);
+      if (pushed) impulse[k] = held(p.impulse.factor[last][k][lane]);
+    }
+  }
+  /// Adds (5) to a line of nodes. w: weight of the line; moved, push: what (5) says of the other dimensions.
+  [[gnu::always_inline]] void add(NodeVector* line, NodeVector w, NodeVector moved, NodeVector push) const {
+#pragma GCC unroll 4
+    for (int k = 0; k < width; ++k) {
+      NodeVector* const node = line + k * vectors;
+      NodeVector const sum = node[0] + weight[k] * moved;
+      node[0] = arms ? sum + w * momentum[k] : sum;
+      if (pushed) node[1] = (node[1] + weight[k] * push) + w * impulse[k];
+    }
+  }
+};
 
 /// Adds (5) to the nodes of one particle's stencil, momentum and what is kept apart from it in one go: the weights are
 /// the same.
 template <int D, class Kernel, Scatter S>
 [[gnu::always_inline]] inline void add(Spread<D, Kernel, S> const& p, Stencil<D, Kernel> const& stencil, int lane,
                                        NodeVector* arena) {
-  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge, vectors = S.apart ? 2 : 1;
-  constexpr bool arms = Spread<D, Kernel, S>::arms, pushed = S.loaded && S.apart;
-  NodeVector* const first = stencil.first(arena, lane, vectors);
+  constexpr int width = Kernel::width, edge = Stencil<D, Kernel>::edge;
+  using Last = detail::Last<D, Kernel, S>;
+  NodeVector* const first = stencil.first(arena, lane, Last::vectors);
+  Last const last(p, stencil, lane);
 #pragma GCC unroll 4
   for (int i = 0; i < width; ++i) {
+    NodeVector const w_i = held(NodeVector(stencil.weight[0][i][lane])), X = held(p.momentum.factor[0][i][lane]),
+                     pushed_X = Last::pushed ? held(p.impulse.factor[0][i][lane]) : X;
+    if constexpr (D == 2) {
+      last.add(first + i * edge * Last::vectors, w_i, X, pushed_X);
+    } else {
 #pragma GCC unroll 4
-    for (int j = 0; j < width; ++j) {
-      NodeVector const w_i(stencil.weight[0][i][lane]), w_j(stencil.weight[1][j][lane]);
-      NodeVector const moved = line_of<D, Kernel, arms>(p.momentum, i, j, lane, w_i, w_j);
-      NodeVector const push = pushed ? line_of<D, Kernel, true>(p.impulse, i, j, lane, w_i, w_j) : moved;
-      NodeVector* const line = first + (D == 2 ? i * edge + j : (i * edge + j) * edge) * vectors;
-      if constexpr (D == 2) {
-        line[0] += moved;
-        if (pushed) line[1] += push;
-      } else {
-        NodeVector const w_ij(stencil.pair[i][j][lane]);
-#pragma GCC unroll 4
-        for (int k = 0; k < width; ++k) {
-          NodeVector* const node = line + k * vectors;
-          NodeVector const w_k(stencil.weight[2][k][lane]);
-          NodeVector sum = node[0] + w_k * moved;
-          if (arms) sum += w_ij * p.momentum.factor[2][k][lane];
-          node[0] = sum;
-          if (pushed) node[1] = (node[1] + w_k * push) + w_ij * p.impulse.factor[2][k][lane];
-        }
+      for (int j = 0; j < width; ++j) {
+        NodeVector const w_j(stencil.weight[1][j][lane]);
+        NodeVector moved = w_j * X, push = w_j * pushed_X;
+        if (Last::arms) moved += w_i * p.momentum.factor[1][j][lane];
+        if (Last::pushed) push += w_i * p.impulse.factor[1][j][lane];
+        last.add(first + (i * edge + j) * edge * Last::vectors, held(NodeVector(stencil.pair[i][j][lane])), moved,
+                 push);
       }
     }
   }
