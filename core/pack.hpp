@@ -160,7 +160,7 @@ inline Register const& part(Lanes const& pack, int r) {
 
 /// A value that is used many times and is to stay in its register: g++ would load it from memory at every use, as an
 /// operand of the instruction.
-[[gnu::always_inline]] inline Register held(Register value) {
+[[gnu::always_inline]] inline Register in_register(Register value) {
 #ifdef __AVX512VL__
   asm("" : "+v"(value.value));
 #elif defined(__SSE2__)

@@ -97,9 +97,9 @@ struct Last {
   [[gnu::always_inline]] Last(Spread<D, Kernel, S> const& p, Stencil<D, Kernel> const& stencil, int lane) {
 #pragma GCC unroll 4
     for (int k = 0; k < width; ++k) {
-      weight[k] = held(NodeVector(stencil.weight[last][k][lane]));
-      if (arms) momentum[k] = held(p.momentum.factor[last][k][lane]);
-      if (pushed) impulse[k] = held(p.impulse.factor[last][k][lane]);
+      weight[k] = in_register(NodeVector(stencil.weight[last][k][lane]));
+      if (arms) momentum[k] = in_register(p.momentum.factor[last][k][lane]);
+      if (pushed) impulse[k] = in_register(p.impulse.factor[last][k][lane]);
     }
   }
   /// Adds (5) to a line of nodes. w: weight of the line; moved, push: what (5) says of the other dimensions.
@@ -125,8 +125,9 @@ template <int D, class Kernel, Scatter S>
   Last const last(p, stencil, lane);
 #pragma GCC unroll 4
   for (int i = 0; i < width; ++i) {
-    NodeVector const w_i = held(NodeVector(stencil.weight[0][i][lane])), X = held(p.momentum.factor[0][i][lane]),
-                     pushed_X = Last::pushed ? held(p.impulse.factor[0][i][lane]) : X;
+    NodeVector const w_i = in_register(NodeVector(stencil.weight[0][i][lane])),
+                     X = in_register(p.momentum.factor[0][i][lane]),
+                     pushed_X = Last::pushed ? in_register(p.impulse.factor[0][i][lane]) : X;
     if constexpr (D == 2) {
       last.add(first + i * edge * Last::vectors, w_i, X, pushed_X);
     } else {
@@ -136,8 +137,8 @@ template <int D, class Kernel, Scatter S>
         NodeVector moved = w_j * X, push = w_j * pushed_X;
         if (Last::arms) moved += w_i * p.momentum.factor[1][j][lane];
         if (Last::pushed) push += w_i * p.impulse.factor[1][j][lane];
-        last.add(first + (i * edge + j) * edge * Last::vectors, held(NodeVector(stencil.pair[i][j][lane])), moved,
-                 push);
+        last.add(first + (i * edge + j) * edge * Last::vectors, in_register(NodeVector(stencil.pair[i][j][lane])),
+                 moved, push);
       }
     }
   }
