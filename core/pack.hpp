@@ -163,7 +163,7 @@ inline Register const& part(Lanes const& pack, int r) {
 [[gnu::always_inline]] inline Register in_register(Register value) {
 #ifdef __AVX512VL__
   asm("" : "+v"(value.value));
-#elif defined(__SSE2__)
+#elif defined(__AVX__)
   asm("" : "+x"(value.value));
 #endif
   return value;

@@ -39,6 +39,7 @@ class ParticleSort {
     std::vector<std::uint64_t> keys = occupied();
     order(particles, keys.size());
     grid.build(std::move(keys));
+    strays_ = std::vector<Stray>();  // all particles are, in the first sort
   }
 
   /// One run for every block and material that has particles; their first chunks are not given yet.
@@ -46,7 +47,8 @@ class ParticleSort {
   /// Old slots of the particles of run r, in their new order.
   [[nodiscard]] std::ptrdiff_t const* slots(std::size_t r) const { return slots_.data() + first_slot_[r]; }
   [[nodiscard]] std::size_t bytes() const {
-    return codes_.size() * sizeof(int) + slots_.size() * sizeof(std::ptrdiff_t) + ways_.size() * sizeof(Way);
+    auto const of = [](auto const&... kept) { return ((kept.capacity() * sizeof(kept[0])) + ...); };
+    return of(codes_, ways_, start_, slots_, runs_, first_slot_);
   }
 
  private:
@@ -56,13 +58,13 @@ class ParticleSort {
 
   /// From the block of a run to a neighbour.
   struct Way {
-    std::uint64_t key = 0;  ///< of the neighbour
-    std::size_t block = 0;  ///< its new number
-    bool taken = false;     ///< by a particle
+    std::uint64_t key = 0;   ///< of the neighbour
+    std::int32_t block = 0;  ///< its new number
+    bool taken = false;      ///< by a particle
   };
   struct Stray {
     std::uint64_t key = 0;
-    std::size_t block = 0;
+    std::int32_t block = 0;
     int cell = 0;
   };
 
@@ -105,7 +107,7 @@ class ParticleSort {
 
   /// codes_[slot] = -1 - number of the stray.
   void look_up_strays(Particles<D>& particles, BlockGrid<D> const& grid, double spacing, double base_shift) {
-    strays_ = {};
+    strays_.clear();  // what an error left
     particles.for_each([&](std::ptrdiff_t slot, int) {
       int& code = codes_[static_cast<std::size_t>(slot)];
       if (code >= 0) return;
@@ -132,9 +134,10 @@ class ParticleSort {
     return stray;
   }
 
-  /// Moves a particle by whole periods, so that a place comes to lie in the period. Returns that place.
-  static BlockIndex<D> bring_back(Particles<D>& particles, BlockGrid<D> const& grid, double spacing,
-                                  std::ptrdiff_t slot, BlockIndex<D> const& place) {
+  /// Moves a particle by whole periods, so that a place comes to lie in the period. Returns that place. One function for
+  /// strays and others: inlined, the product and the sum may round once here and twice there.
+  [[gnu::noinline]] static BlockIndex<D> bring_back(Particles<D>& particles, BlockGrid<D> const& grid, double spacing,
+                                                    std::ptrdiff_t slot, BlockIndex<D> const& place) {
     BlockIndex<D> const wrapped = grid.wrap(place);
     for (std::size_t d = 0; d < D; ++d)
       if (int const shift = wrapped[d] - place[d]; shift != 0)
@@ -167,7 +170,7 @@ class ParticleSort {
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     auto const number = [&](auto& at) {
-      at.block = static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), at.key) - keys.begin());
+      at.block = static_cast<std::int32_t>(std::lower_bound(keys.begin(), keys.end(), at.key) - keys.begin());
     };
     for (Way& way : ways_)
       if (way.taken) number(way);
@@ -185,8 +188,9 @@ class ParticleSort {
         std::ptrdiff_t const first = run.first_chunk * lanes;
         for (std::ptrdiff_t slot = first; slot < first + run.particles; ++slot) {
           int const code = codes_[static_cast<std::size_t>(slot)];
-          std::size_t const block = code < 0 ? strays_[static_cast<std::size_t>(-1 - code)].block
-                                             : ways_[r * neighbours + static_cast<std::size_t>(code / cells)].block;
+          auto const block =
+              static_cast<std::size_t>(code < 0 ? strays_[static_cast<std::size_t>(-1 - code)].block
+                                                : ways_[r * neighbours + static_cast<std::size_t>(code / cells)].block);
           int const cell = code < 0 ? strays_[static_cast<std::size_t>(-1 - code)].cell : code % cells;
           f(slot,
             (block * materials + static_cast<std::size_t>(run.material)) * cells + static_cast<std::size_t>(cell));

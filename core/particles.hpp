@@ -27,7 +27,9 @@ class Particles {
   [[nodiscard]] std::size_t first_run(std::size_t block) const { return first_run_[block]; }
   [[nodiscard]] std::ptrdiff_t chunks() const { return chunks_; }
   [[nodiscard]] int most_chunks_of_a_run() const { return most_chunks_; }
-  [[nodiscard]] std::size_t bytes() const { return (data_.size() + spare_.size()) * sizeof(Lanes) + sort_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return (data_.capacity() + spare_.capacity()) * sizeof(Lanes) + sort_.bytes();
+  }
 
   /// What a kernel sees of a run.
   [[nodiscard]] Batch<D> batch(Run const& run, double spacing, BlockIndex<D> const& block) {
@@ -122,7 +124,7 @@ void Particles<D>::sort(BlockGrid<D>& grid, double spacing, double base_shift) {
   lay_out(grid.particle_blocks());
   auto const packs = static_cast<std::size_t>(chunks_ * layout_.packs());
   if (packs > spare_.capacity()) {  // with some to spare, and nothing to copy
-    spare_ = {};
+    spare_ = std::vector<Lanes>();
     spare_.reserve(packs + packs / 16);
   }
   spare_.resize(packs);

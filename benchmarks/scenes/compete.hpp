@@ -53,7 +53,7 @@ template <int D>
       advance(simulation);
     }));
   }
-  double const cost = std::max(0.0, quantile(sorted, 0.5) - quantile(usual, 0.5));
+  double const cost = std::max(0.0, quantile(sorted, 0.5) - (usual.empty() ? 0 : quantile(usual, 0.5)));
   return {cost, drift > 0 ? drift_limit * static_cast<double>(usual.size()) / drift
                           : std::numeric_limits<double>::infinity()};
 }
