@@ -159,13 +159,10 @@ inline Register const& part(Lanes const& pack, int r) {
 }
 
 /// A value that is used many times and is to stay in its register: g++ would load it from memory at every use, as an
-/// operand of the instruction.
-[[gnu::always_inline]] inline Register in_register(Register value) {
-#ifdef __AVX512VL__
-  asm("" : "+v"(value.value));
-#elif defined(__AVX__)
-  asm("" : "+x"(value.value));
-#endif
+/// operand of the instruction. Nothing where there are no registers of its size; g++ tells so by the largest alignment.
+template <int N>
+[[gnu::always_inline]] inline Pack<N> in_register(Pack<N> value) {
+  if constexpr (__BIGGEST_ALIGNMENT__ >= sizeof(value)) asm("" : "+v"(value.value));
   return value;
 }
 
