@@ -71,7 +71,8 @@ template <int D, class Kernel, int vectors, bool all>
         NodeVector const w_ij(stencil.pair[i][j][lane]);
 #pragma GCC unroll 4
         for (int k = 0; k < width; ++k) {
-          NodeVector const v = in_register(first[((i * edge + j) * edge + k) * vectors]);
+          NodeVector const& node = first[((i * edge + j) * edge + k) * vectors];
+          NodeVector const v = all ? in_register(node) : node;  // used twice or once
           NodeVector const w_k(stencil.weight[2][k][lane]);
           line = k == 0 ? w_k * v : line + w_k * v;
           if (all) along_z[k] = i == 0 && j == 0 ? w_ij * v : along_z[k] + w_ij * v;
