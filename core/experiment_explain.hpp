@@ -2,6 +2,7 @@
 /// What is composed, in words: what core/experiment_of.hpp declares.
 
 #include "core/experiment_of.hpp"
+#include "core/in_short.hpp"
 
 namespace talus {
 

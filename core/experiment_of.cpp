@@ -1,4 +1,7 @@
-#include "core/experiment_of.hpp"
+#include "core/experiment_balances.hpp"
+#include "core/experiment_explain.hpp"
+#include "core/experiment_measure.hpp"
+#include "core/experiment_restore.hpp"
 
 namespace talus {
 

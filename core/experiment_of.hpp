@@ -72,15 +72,7 @@ class ExperimentOf final : public Experiment {
   double last_dt_ = 0;  ///< of the last step, or of that before the checkpoint that was restored [s]
 };
 
-}  // namespace talus
-
-#include "core/experiment_balances.hpp"
-#include "core/experiment_checkpoint.hpp"
-#include "core/experiment_explain.hpp"
-#include "core/experiment_measure.hpp"
-#include "core/experiment_restore.hpp"
-
-namespace talus {
 extern template class ExperimentOf<2>;  // core/experiment_of.cpp
 extern template class ExperimentOf<3>;
+
 }  // namespace talus

@@ -51,4 +51,7 @@ void fill(Simulation<D>& simulation, std::vector<Filling<D>> const& fillings) {
   simulation.begin();
 }
 
+extern template void fill<2>(Simulation<2>&, std::vector<Filling<2>> const&);  // core/simulation.cpp
+extern template void fill<3>(Simulation<3>&, std::vector<Filling<3>> const&);
+
 }  // namespace talus

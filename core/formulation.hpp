@@ -43,24 +43,30 @@ struct Setup {
   BlockIndex<D> periods = {};  ///< blocks after which an axis repeats, 0 where it does not
 };
 
-/// A simulation of one material that fills bodies; it has begun.
+/// What a setup says of a scene: all but its material and its stages.
 template <Formulation F>
-[[nodiscard]] auto compose(Setup<F> const& setup, std::vector<Filling<Setup<F>::D>> const& bodies,
-                           std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls = {}) {
-  constexpr int D = Setup<F>::D;
-  Scene<D> scene;
+[[nodiscard]] Scene<Setup<F>::D> scene_of(Setup<F> const& setup,
+                                          std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls) {
+  Scene<Setup<F>::D> scene;
   scene.spacing = setup.spacing;
   scene.gravity = setup.gravity;
   scene.limits = setup.limits;
   scene.periods = setup.periods;
   scene.strain_size = Symmetric<double, typename F::Kinematics::Shape>::size;
   scene.walls = std::move(walls);
+  return scene;
+}
+
+/// A simulation of one material that fills bodies; it has begun.
+template <Formulation F>
+[[nodiscard]] auto compose(Setup<F> const& setup, std::vector<Filling<Setup<F>::D>> const& bodies,
+                           std::vector<std::unique_ptr<Wall<Setup<F>::D>>> walls = {}) {
+  constexpr int D = Setup<F>::D;
+  Scene<D> scene = scene_of(setup, std::move(walls));
   scene.materials.push_back(std::make_unique<MaterialOf<typename F::Kinematics, typename F::Law>>(
       std::string(F::Law::name), setup.density, setup.law));
-  bool rubs = false;
-  for (auto const& wall : scene.walls) rubs = rubs || wall->contact.material_friction;
   scene.stages = std::make_unique<StagesOf<D, typename F::Kernel, typename F::Transfer, typename F::Integrator>>(
-      setup.transfer, rubs);
+      setup.transfer, scene.rubs());
   auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
   fill(*simulation, bodies);
   return simulation;

@@ -164,4 +164,7 @@ void Particles<D>::park_empty_lanes(Run const& run, BlockIndex<D> const& block, 
   }
 }
 
+extern template class Particles<2>;  // core/simulation.cpp
+extern template class Particles<3>;
+
 }  // namespace talus

@@ -1,6 +1,7 @@
 #pragma once
 /// All that a simulation is composed of, besides its particles.
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct Scene {
   std::unique_ptr<Stages<D>> stages;
   std::unique_ptr<BodyForce<D>> body_force;  ///< besides gravity; usually there is none
   bool keeps_ledger = false;                 ///< energy and angular momentum are accounted for in every step
+
+  /// Whether a wall takes its friction from the material.
+  [[nodiscard]] bool rubs() const {
+    return std::ranges::any_of(walls, [](auto const& wall) { return wall->contact.material_friction; });
+  }
 
   /// The fields that the parts ask for, each once.
   [[nodiscard]] Layout layout() const {

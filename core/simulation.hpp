@@ -22,6 +22,9 @@
 
 namespace talus {
 
+/// A particle may move this many cells before it must be sorted anew; the margin is for rounding.
+inline constexpr double drift_limit = 0.5 - 1e-6;
+
 /// Momentum that came in since the start, by source [kg m/s].
 template <int D>
 struct Momentum {
@@ -43,11 +46,8 @@ struct Reached {
 template <int D>
 class Simulation {
  public:
-  explicit Simulation(Scene<D> scene)
-      : scene_(std::move(scene)), particles_(scene_.layout()), grid_(scene_.periods), pass_(scene_) {
-    for (auto& material : scene_.materials) material->bind(particles_.layout());
-    momentum_.walls.assign(scene_.walls.size(), Point<D>::Zero());
-  }
+  explicit Simulation(Scene<D> scene);
+  ~Simulation();
   Simulation(Simulation const&) = delete;
 
   [[nodiscard]] Scene<D> const& scene() const { return scene_; }
@@ -70,25 +70,9 @@ class Simulation {
   [[nodiscard]] std::size_t bytes() const { return particles_.bytes() + pass_.bytes(); }
 
   /// To be called once the particles are in: total mass, first speed, first sort.
-  void begin() {
-    measure();
-    sort();
-    if (scene_.keeps_ledger) ledger_.start = ledger_.now = totals();
-  }
+  void begin();
   /// Goes on from a checkpoint, whose particles are in their order, with the blocks of these keys.
-  void resume(std::vector<std::uint64_t> keys, Reached<D> reached) {
-    measure();
-    grid_.build(std::move(keys));
-    resize();
-    scattered_for_ = 0;
-    time_ = reached.time;
-    steps_ = reached.steps;
-    drift_ = reached.drift;
-    mass_ = reached.mass;
-    motion_ = reached.motion;
-    momentum_ = std::move(reached.momentum);
-    ledger_ = reached.ledger;
-  }
+  void resume(std::vector<std::uint64_t> keys, Reached<D> reached);
 
   /// The step that `advance` would take towards `end` [s].
   [[nodiscard]] TimeStep next(double end) const {
@@ -101,14 +85,7 @@ class Simulation {
  private:
   struct Scratch;
   void measure();
-  void sort() {
-    particles_.sort(grid_, scene_.spacing, scene_.stages->base_shift);
-    resize();
-    drift_ = 0;
-    scattered_for_ = 0;
-    ++sorts_;
-    if (scene_.keeps_ledger) ledger_.now.first_moment = totals().first_moment;  // a period may have been taken off
-  }
+  void sort();
   void resize();
   void particles_to_grid(double dt);
   /// next: length of the step to scatter for [s], or 0.
@@ -181,12 +158,7 @@ class Simulation {
   long steps_ = 0, sorts_ = 0;
 };
 
-}  // namespace talus
-
-#include "core/simulation_extras.hpp"
-#include "core/simulation_step.hpp"
-
-namespace talus {
 extern template class Simulation<2>;  // core/simulation.cpp
 extern template class Simulation<3>;
+
 }  // namespace talus

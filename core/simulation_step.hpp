@@ -36,9 +36,6 @@ void Simulation<D>::resize() {
   }
 }
 
-/// A particle may move this many cells before it must be sorted anew; the margin is for rounding.
-inline constexpr double drift_limit = 0.5 - 1e-6;
-
 template <int D>
 double Simulation<D>::foreseen(double end) const {
   double const elastic = elastic_step(scene_), after = time_ + last_.dt;

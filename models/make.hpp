@@ -1,6 +1,7 @@
 #pragma once
 /// Materials and stages out of the catalogue. They are instantiated one law, or one kernel and dimension, a translation
-/// unit (law_unit.cpp.in, transfer_unit.cpp.in), so that their costs to compile add instead of multiplying.
+/// unit (law_unit.cpp.in, transfer_unit.cpp.in), so that their costs to compile add instead of multiplying: what
+/// includes this file links them. What they are made of is in make_here.hpp.
 
 #include <memory>
 #include <string>

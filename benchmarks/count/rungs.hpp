@@ -7,6 +7,7 @@
 #include "benchmarks/count/steps.hpp"
 #include "benchmarks/scenes/compose.hpp"
 #include "benchmarks/scenes/formulations.hpp"
+#include "models/make_here.hpp"
 
 namespace talus::bench {
 

@@ -13,6 +13,7 @@
 #include "models/boundaries/make_wall.hpp"
 #include "models/boundaries/motions/fixed.hpp"
 #include "models/boundaries/shapes/half_space.hpp"
+#include "models/make.hpp"
 
 namespace talus::bench {
 
@@ -55,10 +56,16 @@ template <Formulation F>
     Setup<F> const& setup, std::vector<Cloud<F::Kinematics::dimension>> const& clouds,
     Walls<F::Kinematics::dimension> walls) {
   constexpr int D = F::Kinematics::dimension;
+  Scene<D> scene = scene_of(setup, std::move(walls));
+  scene.materials.push_back(make_material<typename F::Kinematics, typename F::Law>("beads", setup.density, setup.law));
+  scene.stages =
+      make_stages<D, typename F::Kernel, typename F::Transfer, typename F::Integrator>(setup.transfer, scene.rubs());
+  auto simulation = std::make_unique<Simulation<D>>(std::move(scene));
   std::vector<talus::Filling<D>> fillings;
   for (Cloud<D> const& cloud : clouds)
     fillings.push_back({{cloud.places, cloud.volume}, cloud.velocities, {}, 0, setup.density});
-  return compose<F>(setup, fillings, std::move(walls));
+  fill(*simulation, fillings);
+  return simulation;
 }
 
 }  // namespace talus::bench

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/in_short.hpp"
 #include "models/transfers/mode.hpp"
 
 namespace talus::verification {

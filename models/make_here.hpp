@@ -1,0 +1,21 @@
+#pragma once
+/// Materials and stages, compiled by the translation unit that includes this file.
+
+#include <utility>
+
+#include "models/make.hpp"
+
+namespace talus {
+
+template <class Kinematics, class Law>
+std::unique_ptr<Material<Kinematics::dimension>> make_material(std::string name, double density,
+                                                               typename Law::Parameters const& parameters) {
+  return std::make_unique<MaterialOf<Kinematics, Law>>(std::move(name), density, parameters);
+}
+
+template <int D, class Kernel, class Transfer, class Integrator>
+std::unique_ptr<Stages<D>> make_stages(typename Transfer::Parameters const& parameters, bool rubs) {
+  return std::make_unique<StagesOf<D, Kernel, Transfer, Integrator>>(parameters, rubs);
+}
+
+}  // namespace talus
