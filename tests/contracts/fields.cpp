@@ -2,6 +2,7 @@
 #include <concepts>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
@@ -43,28 +44,53 @@ struct WithoutRank {
 };
 static_assert(Field<A> && Field<C> && !Field<WithoutUnit> && !Field<WithoutRank> && !Field<double>);
 
-/// Calls f(kinematics, law, transfer) for all there are.
-template <class F>
-void for_each_composition(F const& f) {
-  for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K> k) {
-    for_each_type(catalogue::Laws{}, [&]<class L>(std::type_identity<L> l) {
-      for_each_type(catalogue::Transfers{}, [&]<class T>(std::type_identity<T> t) {
-        BOOST_TEST_CONTEXT(K::name << ", " << L::name << ", " << T::name) {
-          f(k, l, t);
-        }
-      });
-    });
-  });
+/// The store of a scene of one material.
+template <int D>
+Layout layout_of(int strain, std::unique_ptr<Material<D>> material, std::unique_ptr<Stages<D>> stages) {
+  Scene<D> scene;
+  scene.strain_size = strain;
+  scene.materials.push_back(std::move(material));
+  scene.stages = std::move(stages);
+  return scene.layout();
 }
 
-/// The store of a scene of one material; the kernel and integrator own nothing of a particle.
+/// The kernel and integrator own nothing of a particle.
 template <class K, class L, class T>
 Layout layout_of() {
-  Scene<K::dimension> scene;
-  scene.strain_size = Symmetric<double, typename K::Shape>::size;
-  scene.materials.push_back(make_material<K, L>("only", 1000, {}));
-  scene.stages = make_stages<K::dimension, kernel::Quadratic, T, integrator::Usl>({}, false);
-  return scene.layout();
+  return layout_of<K::dimension>(Symmetric<double, typename K::Shape>::size, make_material<K, L>("only", 1000, {}),
+                                 make_stages<K::dimension, kernel::Quadratic, T, integrator::Usl>({}, false));
+}
+
+/// What a kinematics, a law and a transfer are to a particle, and the store that they share.
+struct Composition {
+  std::string name;
+  int dimension, strain;
+  bool affine;
+  std::vector<std::string_view> state;  ///< names of the law's scalars
+  Layout layout;
+};
+
+template <class... F>
+std::vector<std::string_view> names_of(Fields<F...>) {
+  return {F::name...};
+}
+
+/// All there are.
+std::vector<Composition> const& compositions() {
+  static std::vector<Composition> const all = [] {
+    std::vector<Composition> list;
+    for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
+      for_each_type(catalogue::Laws{}, [&]<class L>(std::type_identity<L>) {
+        for_each_type(catalogue::Transfers{}, [&]<class T>(std::type_identity<T>) {
+          list.push_back({std::string(K::name) + ", " + std::string(L::name) + ", " + std::string(T::name),
+                          K::dimension, Symmetric<double, typename K::Shape>::size, T::affine,
+                          names_of(typename L::State{}), layout_of<K, L, T>()});
+        });
+      });
+    });
+    return list;
+  }();
+  return all;
 }
 
 Explanation explained(std::string const& name, std::vector<std::string> const& assignments) {
@@ -109,37 +135,31 @@ BOOST_AUTO_TEST_CASE(a_layout_holds_what_was_asked_for_once_in_the_order_of_firs
 }
 
 BOOST_AUTO_TEST_CASE(the_columns_of_every_composition_are_disjoint_and_fill_the_chunk) {
-  for_each_composition(
-      []<class K, class L, class T>(std::type_identity<K>, std::type_identity<L>, std::type_identity<T>) {
-        Layout const layout = layout_of<K, L, T>();
-        std::set<std::string_view> names;
-        int next = 0;
-        for (Column const& column : layout.columns()) {
-          BOOST_TEST(column.offset == next);
-          BOOST_TEST(column.components >= 1);
-          BOOST_TEST(layout.find(column.info.name) == column.offset);
-          BOOST_TEST(names.insert(column.info.name).second);
-          next += column.components;
-        }
-        BOOST_TEST(layout.packs() == next);
-      });
+  BOOST_TEST(compositions().size() == catalogue::Kinematics::size * catalogue::Laws::size * catalogue::Transfers::size);
+  for (Composition const& one : compositions()) BOOST_TEST_CONTEXT(one.name) {
+      std::set<std::string_view> names;
+      int next = 0;
+      for (Column const& column : one.layout.columns()) {
+        BOOST_TEST(column.offset == next);
+        BOOST_TEST(column.components >= 1);
+        BOOST_TEST(one.layout.find(column.info.name) == column.offset);
+        BOOST_TEST(names.insert(column.info.name).second);
+        next += column.components;
+      }
+      BOOST_TEST(one.layout.packs() == next);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(every_composition_stores_what_its_parts_ask_for_and_nothing_else) {
-  for_each_composition(
-      []<class K, class L, class T>(std::type_identity<K>, std::type_identity<L>, std::type_identity<T>) {
-        constexpr int D = K::dimension, strain = Symmetric<double, typename K::Shape>::size;
-        Layout const layout = layout_of<K, L, T>();
-        BOOST_TEST((layout.find("affine_velocity") >= 0) == T::affine);
-        auto const stored = [&]<Field... F>(Fields<F...>) {
-          return ((layout.find(F{}) >= 0) && ...);
-        };
-        BOOST_TEST(stored(typename L::State{}));
-        // position, velocity, mass, strain, number, affine velocity and the law's scalars
-        int const expected = 2 * D + 2 + strain + (T::affine ? D * D : 0) + static_cast<int>(L::State::count);
-        BOOST_TEST(layout.packs() == expected);
-        BOOST_TEST(layout.bytes_per_particle() == 8 * (expected - 1));
-      });
+  for (Composition const& one : compositions()) BOOST_TEST_CONTEXT(one.name) {
+      int const D = one.dimension;
+      BOOST_TEST((one.layout.find("affine_velocity") >= 0) == one.affine);
+      for (std::string_view const scalar : one.state) BOOST_TEST(one.layout.find(scalar) >= 0);
+      // position, velocity, mass, strain, number, affine velocity and the law's scalars
+      int const expected = 2 * D + 2 + one.strain + (one.affine ? D * D : 0) + static_cast<int>(one.state.size());
+      BOOST_TEST(one.layout.packs() == expected);
+      BOOST_TEST(one.layout.bytes_per_particle() == 8 * (expected - 1));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(an_elastic_law_keeps_no_plastic_strain) {

@@ -76,10 +76,10 @@ BOOST_AUTO_TEST_SUITE(transfers)
 constexpr double round_off = 1e-12;
 
 BOOST_AUTO_TEST_CASE(an_affine_transfer_passes_an_affine_velocity_on_as_it_is) {
-  for_each_choice([]<int D, class K, class T, class I>() {
-    if constexpr (T::affine) {
+  for_each_scheme([]<int D>(Scheme<D> const& scheme) {
+    if (scheme.affine) {
       Flow<D> const flow;
-      auto scene = elastic_scene<D, K, T, I>();
+      auto scene = scheme.scene();
       scene.gravity = Point<D>::Constant(-3);
       Simulation<D> simulation(std::move(scene));
       auto seeds = cloud<D>(6);
@@ -115,9 +115,9 @@ BOOST_AUTO_TEST_CASE(an_affine_transfer_passes_an_affine_velocity_on_as_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(every_kernel_finds_the_gradient_of_an_affine_velocity_of_the_nodes) {
-  for_each_choice([]<int D, class K, class T, class I>() {
+  for_each_scheme([]<int D>(Scheme<D> const& scheme) {
     Flow<D> const flow;
-    Simulation<D> simulation(elastic_scene<D, K, T, I>());
+    Simulation<D> simulation(scheme.scene());
     fill(simulation, cloud<D>(3));
     Stages<D> const& stages = *simulation.scene().stages;
     std::vector<NodeVector> arena(static_cast<std::size_t>(stages.arena_nodes * stages.told));
@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(every_kernel_finds_the_gradient_of_an_affine_velocity_of_th
           simulation.particles().batch(run, h, simulation.grid().particle_block(static_cast<std::size_t>(run.block)));
       for (int node = 0; node < stages.arena_nodes; ++node) {
         Point<D> x;
-        for (int d = D - 1, rest = node; d >= 0; --d, rest /= arena_edge<K>)
-          x[d] = h * (batch.first[static_cast<std::size_t>(d)] + rest % arena_edge<K>);
+        for (int d = D - 1, rest = node; d >= 0; --d, rest /= scheme.arena_edge)
+          x[d] = h * (batch.first[static_cast<std::size_t>(d)] + rest % scheme.arena_edge);
         // both velocities of a node: in the plane they share a vector
         for (int k = 0; k < 2; ++k)
           for (int d = 0; d < D; ++d)
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(every_kernel_finds_the_gradient_of_an_affine_velocity_of_th
                                                                                       flow(x)[d]);
       }
       constexpr double dt = 0.125;
-      if (I::remaps)
+      if (scheme.remaps)
         stages.gather_again(batch, arena.data(), dt, gradients.data(), motion);
       else
         stages.gather(batch, arena.data(), dt, gradients.data(), motion);
@@ -153,10 +153,10 @@ BOOST_AUTO_TEST_CASE(every_kernel_finds_the_gradient_of_an_affine_velocity_of_th
 }
 
 BOOST_AUTO_TEST_CASE(colliding_blocks_keep_mass_and_momentum) {
-  for_each_choice([]<int D, class K, class T, class I>() {
-    auto scene = elastic_scene<D, K, T, I>();
+  for_each_scheme([]<int D>(Scheme<D> const& scheme) {
+    auto scene = scheme.scene();
     // The linear kernel drops momentum at nodes with less than its least mass: its bodies fill a space that repeats.
-    bool const filled = K::mass_floor > 0;
+    bool const filled = scheme.has_mass_floor;
     if (filled) scene.periods.fill(2);
     Simulation<D> simulation(std::move(scene));
     Point<D> const size = Point<D>::Constant(2 * block_edge * h);
@@ -172,9 +172,9 @@ BOOST_AUTO_TEST_CASE(colliding_blocks_keep_mass_and_momentum) {
 }
 
 BOOST_AUTO_TEST_CASE(momentum_changes_by_what_gravity_and_walls_give) {
-  for_each_choice([]<int D, class K, class T, class I>() {
-    if constexpr (K::mass_floor == 0) {
-      auto scene = elastic_scene<D, K, T, I>();
+  for_each_scheme([]<int D>(Scheme<D> const& scheme) {
+    if (!scheme.has_mass_floor) {
+      auto scene = scheme.scene();
       scene.gravity = Point<D>::Constant(-5);
       wall::HalfSpace::Parameters floor, back;
       floor.normal = {0, 1, 0};
@@ -193,9 +193,9 @@ BOOST_AUTO_TEST_CASE(momentum_changes_by_what_gravity_and_walls_give) {
 
 // Symplectic Euler: v += dt g, then x += dt v, so x = x_0 + v_0 t + g sum dt_n t_(n+1).
 BOOST_AUTO_TEST_CASE(a_block_falls_as_the_step_has_it_and_lands_on_the_end) {
-  for_each_choice([]<int D, class K, class T, class I>() {
+  for_each_scheme([]<int D>(Scheme<D> const& scheme) {
     constexpr double end = 0.123456789;
-    auto scene = elastic_scene<D, K, T, I>();
+    auto scene = scheme.scene();
     Point<D> const g = Point<D>::Constant(-7), v_0 = Flow<D>().c;
     scene.gravity = g;
     Simulation<D> simulation(std::move(scene));

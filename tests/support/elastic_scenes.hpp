@@ -22,15 +22,30 @@ Scene<D> elastic_scene(typename T::Parameters const& transfer = {}) {
   return support::scene_of<KinematicsOf<D>, law::Hencky, K, T, I>(h, density, soft, transfer);
 }
 
-/// Calls f.operator()<D, kernel, transfer, integrator>() for all that fit together.
+/// A kernel, a transfer and an integrator that fit together, by what tests ask of them.
+template <int D>
+struct Scheme {
+  bool affine;          ///< the transfer
+  bool remaps;          ///< the integrator
+  bool has_mass_floor;  ///< the kernel
+  int arena_edge;       ///< nodes along an edge of a block's arena
+  Scene<D> (*scene)();  ///< an elastic one
+};
+
+template <int D, class K, class T, class I>
+Scheme<D> scheme_of() {
+  return {T::affine, I::remaps, K::mass_floor > 0, arena_edge<K>, [] { return elastic_scene<D, K, T, I>(); }};
+}
+
+/// Calls f(scheme) for all that there are in two and three dimensions.
 template <class F>
-void for_each_choice(F const& f) {
+void for_each_scheme(F const& f) {
   for_each_type(catalogue::Kernels{}, [&]<class K>(std::type_identity<K>) {
     for_each_type(catalogue::Transfers{}, [&]<class T>(std::type_identity<T>) {
       for_each_type(catalogue::Integrators{}, [&]<class I>(std::type_identity<I>) {
         if constexpr (fit_together<K, T>) BOOST_TEST_CONTEXT(K::name << ", " << T::name << ", " << I::name) {
-            f.template operator()<2, K, T, I>();
-            f.template operator()<3, K, T, I>();
+            f(scheme_of<2, K, T, I>());
+            f(scheme_of<3, K, T, I>());
           }
       });
     });

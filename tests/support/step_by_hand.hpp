@@ -1,7 +1,6 @@
 #pragma once
 /// The step of the material point method, written down once more without any of the program's machinery but its laws.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "core/fields.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/symmetric_function.hpp"
 
 namespace talus::support {
 
@@ -138,16 +138,11 @@ struct ByHand {
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) eps(i, j) = p.strain(i, j);
     Tensor const F = Tensor::Identity() + H;
-    auto const b_less_one = function(eps, [](double e) { return std::expm1(2 * e); });
+    Tensor const b_less_one = symmetric_function(eps, [](double e) { return std::expm1(2 * e); });
     Tensor const next = F * b_less_one * F.transpose() + H + H.transpose() + H * H.transpose();
-    eps = function(next, [](double b) { return 0.5 * std::log1p(b); });
+    eps = symmetric_function(next, [](double b) { return 0.5 * std::log1p(b); });
     for (int i = 0; i < D; ++i)
       for (int j = i; j < D; ++j) p.strain(i, j) = 0.5 * (eps(i, j) + eps(j, i));
-  }
-  template <class F>
-  static Tensor function(Tensor const& symmetric, F const& f) {
-    Eigen::SelfAdjointEigenSolver<Tensor> const solver(symmetric);
-    return solver.eigenvectors() * solver.eigenvalues().unaryExpr(f).asDiagonal() * solver.eigenvectors().transpose();
   }
 };
 

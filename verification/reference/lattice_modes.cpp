@@ -1,8 +1,9 @@
 #include "verification/reference/lattice_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "verification/reference/linear_algebra.hpp"
 
 namespace talus::reference {
 
@@ -47,7 +48,7 @@ std::complex<double> wave_factor(Transfer const& transfer, int particles_per_cel
   Eigen::Matrix3d step;
   step << v, u, Eigen::RowVector3d(0, 0, 1) + courant * courant * Q * straining;
   std::complex<double> found = 0;
-  Eigen::Vector3cd const factors = step.eigenvalues();
+  Eigen::VectorXcd const factors = eigenvalues_of(step);
   for (std::complex<double> const factor : factors)
     if (factor.imag() > found.imag()) found = factor;
   return found;

@@ -1,10 +1,12 @@
 #include "verification/suite/richardson.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "verification/reference/linear_algebra.hpp"
 
 namespace talus::verification {
 
@@ -51,8 +53,7 @@ Expansion fitted(std::vector<double> const& powers, bool searched, bool weighted
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);
   if (weighted) weight = (spacing.inverse() / spacing.inverse().sum() * static_cast<double>(n)).matrix();
   Eigen::VectorXd const root = weight.cwiseSqrt();
-  Eigen::VectorXd const x =
-      (root.asDiagonal() * design).colPivHouseholderQr().solve(Eigen::VectorXd(root.cwiseProduct(phi)));
+  Eigen::VectorXd const x = reference::least_squares(root.asDiagonal() * design, root.cwiseProduct(phi));
   Eigen::VectorXd const rest = phi - design * x;
   double const freedom = static_cast<double>(n - 1 - terms - (searched ? 1 : 0));
   return {powers.front(), x[0], std::sqrt(weight.dot(rest.cwiseAbs2()) / freedom), std::abs(rest[n - 1])};

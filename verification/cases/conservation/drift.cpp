@@ -4,13 +4,13 @@
 /// order omega dt. What is measured is the slope of its logarithm over all steps, per period. The
 /// transfer takes what it takes of a wave, in closed form in verification/reference/lattice_modes.hpp.
 
-#include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/laws/hencky.hpp"
 #include "verification/reference/lattice_modes.hpp"
+#include "verification/reference/linear_algebra.hpp"
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
@@ -59,7 +59,7 @@ double slope(std::vector<double> const& values, double turn) {
     A.row(j) << 1, double(j) / double(n), std::cos(phase), std::sin(phase), std::cos(2 * phase), std::sin(2 * phase);
     right[j] = std::log(values[static_cast<std::size_t>(j)]);
   }
-  return Eigen::VectorXd(A.colPivHouseholderQr().solve(right))[1] / double(n);
+  return reference::least_squares(A, right)[1] / double(n);
 }
 
 void run(Findings& findings) {

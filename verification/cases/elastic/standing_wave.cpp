@@ -12,13 +12,13 @@
 /// for all n: two unknowns, by least squares. omega = phi/dt; the leapfrog's error is taken out of (1) by
 /// sin(phi/2) = omega_h dt/2.
 
-#include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/laws/hencky.hpp"
 #include "verification/reference/lattice_modes.hpp"
+#include "verification/reference/linear_algebra.hpp"
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
@@ -45,7 +45,7 @@ Wave fitted(std::vector<double> const& s, int lag) {
     A(n, 1) = -s[at];
     right[n] = s[at + 2 * static_cast<std::size_t>(lag)];
   }
-  Eigen::Vector2d const x = A.colPivHouseholderQr().solve(right);
+  Eigen::Vector2d const x = reference::least_squares(A, right);
   double const r = std::sqrt(x[1]);
   return {std::acos(x[0] / (2 * r)) / lag, std::pow(r, 1.0 / lag)};
 }

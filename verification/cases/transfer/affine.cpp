@@ -7,13 +7,13 @@
 /// particles lie evenly around each node that is looked at. (2) tells a C_p of the velocities after the forces from one
 /// of those before.
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
 #include "models/kinematics/plane_strain.hpp"
 #include "models/kinematics/solid.hpp"
 #include "models/laws/hencky.hpp"
+#include "verification/reference/linear_algebra.hpp"
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
@@ -61,9 +61,7 @@ double distance(Simulation<Kinematics::dimension> const& simulation,
   constexpr int D = Kinematics::dimension;
   using Strain = Symmetric<double, typename Kinematics::Shape>;
   Square<D> const F = Square<D>::Identity() + dt * gradient;
-  Eigen::SelfAdjointEigenSolver<Square<D>> const b(F * F.transpose());
-  Square<D> const strain =
-      b.eigenvectors() * (0.5 * b.eigenvalues().array().log()).matrix().asDiagonal() * b.eigenvectors().transpose();
+  Square<D> const strain = 0.5 * reference::logarithm(F * F.transpose());
   auto const v = vectors(simulation, "velocity"), x = vectors(simulation, "position");
   double worst = 0;
   for (std::size_t p = 0; p < places.size(); ++p) {

@@ -10,7 +10,6 @@
 ///
 /// Source: Coulomb's law; derived here.
 
-#include <Eigen/QR>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -179,10 +178,18 @@ struct Chance {
     n[D - 1] += 2;
     return {n.normalized(), 0.3 * vector(), {.friction = friction}, friction, 0};
   }
+  /// Orthogonal: rotations in the planes of all pairs of axes, and every other time a reflection.
   Eigen::Matrix<double, D, D> frame() {
-    Eigen::Matrix<double, D, D> A;
-    for (int d = 0; d < D; ++d) A.col(d) = vector();
-    return Eigen::HouseholderQR<Eigen::Matrix<double, D, D>>(A).householderQ();
+    Eigen::Matrix<double, D, D> Q = Eigen::Matrix<double, D, D>::Identity();
+    for (int d = 0; d < D; ++d)
+      for (int e = d + 1; e < D; ++e) {
+        double const angle = between(-std::numbers::pi, std::numbers::pi);
+        Point<D> const a = Q.col(d), b = Q.col(e);
+        Q.col(d) = std::cos(angle) * a + std::sin(angle) * b;
+        Q.col(e) = std::cos(angle) * b - std::sin(angle) * a;
+      }
+    if (between(-1, 1) < 0) Q.col(0) *= -1;
+    return Q;
   }
 };
 

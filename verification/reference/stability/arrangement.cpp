@@ -1,8 +1,8 @@
 #include "verification/reference/stability/arrangement.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "verification/reference/linear_algebra.hpp"
 #include "verification/reference/stability/bisection.hpp"
 
 namespace talus::reference {
@@ -131,7 +131,7 @@ MatrixXd step_matrix(Arrangement const& particles, Transfer const& transfer, dou
 }
 
 double growth_of_a_step(Arrangement const& particles, Transfer const& transfer, double dt) {
-  return step_matrix(particles, transfer, dt).eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvalues_of(step_matrix(particles, transfer, dt)).cwiseAbs().maxCoeff();
 }
 
 double longest_step(Arrangement const& particles, Transfer const& transfer) {

@@ -1,6 +1,5 @@
 #include "verification/reference/stability/regular.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "verification/reference/linear_algebra.hpp"
 #include "verification/reference/stability/bisection.hpp"
 
 namespace talus::reference {
@@ -71,7 +71,9 @@ Wave wave(RegularLattice const& lattice, int degree, std::array<int, 3> const& n
     Eigen::MatrixXcd const outer = g.conjugate() * g.transpose();
     K += (lambda * outer + G * (g.squaredNorm() * Eigen::MatrixXcd::Identity(D, D) + outer.transpose())) / count;
   }
-  sum.kappa = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(K).eigenvalues().maxCoeff();
+  Eigen::MatrixXd in_real_numbers(2 * D, 2 * D);  // each eigenvalue twice
+  in_real_numbers << K.real(), -K.imag(), K.imag(), K.real();
+  sum.kappa = eigenvalues_of(in_real_numbers).real().maxCoeff();
   return sum;
 }
 
@@ -83,7 +85,7 @@ double growth(Wave const& wave, Transfer const& transfer, double k) {
   Eigen::RowVector3d const straining = transfer.maps_back ? Eigen::RowVector3d(v + s * u) : u;
   Eigen::Matrix3d step;
   step << v, u, Eigen::RowVector3d(0, 0, 1) + k * straining;
-  return step.eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvalues_of(step).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+/// Eigen's decompositions, compiled once: in every translation unit that names one they take the compiler seconds.
+
+#include <Eigen/Core>
+
+namespace talus::reference {
+
+/// Eigenvalues of a real square matrix, in no order.
+[[nodiscard]] Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd const& A);
+
+/// The x that makes |A x - b| least; A has full column rank.
+[[nodiscard]] Eigen::VectorXd least_squares(Eigen::MatrixXd const& A, Eigen::VectorXd const& b);
+
+/// Logarithm of a symmetric positive definite matrix, by its eigenvalues.
+[[nodiscard]] Eigen::MatrixXd logarithm(Eigen::MatrixXd const& A);
+
+}  // namespace talus::reference
