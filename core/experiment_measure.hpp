@@ -2,6 +2,7 @@
 /// The time series of an experiment, and its frames: what core/experiment_of.hpp declares.
 
 #include "core/experiment_of.hpp"
+#include "core/sampler.hpp"
 
 namespace talus {
 

@@ -2,10 +2,12 @@
 /// The experiment in D dimensions: a simulation, and what is measured, written and explained of it.
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/experiment.hpp"
-#include "core/sampler.hpp"
 #include "core/simulation.hpp"
 
 namespace talus {

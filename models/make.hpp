@@ -1,7 +1,7 @@
 #pragma once
 /// Materials and stages out of the catalogue. They are instantiated one law, or one kernel and dimension, a translation
-/// unit (law_unit.cpp.in, transfer_unit.cpp.in), so that their costs to compile add instead of multiplying: what
-/// includes this file links them. What they are made of is in make_here.hpp.
+/// unit (law_unit.cpp.in, transfer_unit.cpp.in), so that their costs to compile add instead of multiplying. Who includes
+/// this file links talus::catalogue; who includes make_here.hpp compiles them.
 
 #include <memory>
 #include <string>

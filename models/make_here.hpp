@@ -1,5 +1,6 @@
 #pragma once
-/// Materials and stages, compiled by the translation unit that includes this file.
+/// Materials and stages, compiled by the translation unit that includes this file: the catalogue's own, and programs
+/// that do not link it because they are compiled for another instruction set.
 
 #include <utility>
 

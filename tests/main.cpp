@@ -1,4 +1,5 @@
-/// The test program. Every file below tests/ holds one suite that bears the file's name.
+/// The test program. Every file below tests/ holds one suite that bears the file's name. Its main is written out because
+/// BOOST_TEST_MODULE would have to be defined before the precompiled header is read.
 #include <boost/test/unit_test.hpp>
 
 int main(int argc, char** argv) {

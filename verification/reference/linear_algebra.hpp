@@ -1,5 +1,6 @@
 #pragma once
-/// Eigen's decompositions, compiled once: in every translation unit that names one they take the compiler seconds.
+/// Decompositions of Eigen's that several references share, compiled once: they take the compiler seconds in every
+/// translation unit.
 
 #include <Eigen/Core>
 

@@ -178,7 +178,7 @@ struct Chance {
     n[D - 1] += 2;
     return {n.normalized(), 0.3 * vector(), {.friction = friction}, friction, 0};
   }
-  /// Orthogonal: rotations in the planes of all pairs of axes, and every other time a reflection.
+  /// Orthogonal: rotations in the planes of all pairs of axes, and half of the times a reflection.
   Eigen::Matrix<double, D, D> frame() {
     Eigen::Matrix<double, D, D> Q = Eigen::Matrix<double, D, D>::Identity();
     for (int d = 0; d < D; ++d)
