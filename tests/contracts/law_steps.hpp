@@ -3,6 +3,7 @@
 /// that the law reaches itself.
 
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -142,8 +143,8 @@ Symmetric<double, Shape> random_strain(support::LogUniform& random) {
 }
 
 /// Calls f(Step) for every corner of the parameters, with strains from 1e-8 to 0.1 in states that a few steps lead to.
-template <class L, class Shape, class F>
-void for_each_step(F&& f) {
+template <class L, class Shape>
+void for_each_step(std::function<void(Step<L, Shape> const&)> const& f) {
   unsigned seed = 1;
   for (auto const& parameters : corners<L>()) {
     L const law(parameters);
@@ -179,8 +180,8 @@ std::string describe(Step<L, Shape> const& s) {
 }
 
 /// Calls a contract of one step for every step of a shape until one is broken.
-template <class L, class Shape, class F>
-std::string in_every_step(F&& broken) {
+template <class L, class Shape>
+std::string in_every_step(std::function<std::string(Step<L, Shape> const&)> const& broken) {
   std::string first;
   for_each_step<L, Shape>([&](Step<L, Shape> const& step) {
     if (!first.empty()) return;

@@ -4,7 +4,7 @@
 
 #include "core/config/nearest.hpp"
 #include "core/config/outline.hpp"
-#include "tests/core/config_sample.hpp"
+#include "tests/app/config_sample.hpp"
 
 using namespace talus;
 

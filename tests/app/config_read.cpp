@@ -6,7 +6,7 @@
 
 #include "core/config/json.hpp"
 #include "core/errors.hpp"
-#include "tests/core/config_sample.hpp"
+#include "tests/app/config_sample.hpp"
 
 using namespace talus;
 using sample::Scene;

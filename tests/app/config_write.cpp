@@ -9,7 +9,7 @@
 #include "core/config/json.hpp"
 #include "core/config/manual.hpp"
 #include "core/config/read.hpp"
-#include "tests/core/config_sample.hpp"
+#include "tests/app/config_sample.hpp"
 
 using namespace talus;
 using nlohmann::json;
