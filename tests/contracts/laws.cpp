@@ -6,8 +6,31 @@
 
 #include "core/type_list.hpp"
 #include "models/catalogue_laws.hpp"
+#include "tests/contracts/law_suite.hpp"
 
 using namespace talus;
+namespace ut = boost::unit_test;
+
+namespace {
+
+/// The suite of this name within another, made if there is none yet.
+ut::test_suite& suite_in(ut::test_suite& parent, char const* name) {
+  if (auto const id = parent.get(name); id != ut::INV_TEST_UNIT_ID) return ut::framework::get<ut::test_suite>(id);
+  auto* suite = new ut::test_suite(name, __FILE__, __LINE__);  // parent's from now on
+  parent.add(suite);
+  return *suite;
+}
+
+}  // namespace
+
+bool contract_of::add_tests(char const* law, std::vector<Contract> const& contracts) {
+  auto& suite = suite_in(suite_in(ut::framework::current_auto_test_suite(), "laws"), law);
+  for (auto const& [name, broken] : contracts) {
+    auto const keeps_it = [broken = broken] { BOOST_TEST(broken() == ""); };
+    suite.add(ut::make_test_case(keeps_it, std::string(name), __FILE__, __LINE__));
+  }
+  return true;
+}
 
 BOOST_AUTO_TEST_SUITE(laws)
 
