@@ -5,13 +5,13 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
 #include "benchmarks/places.hpp"
 #include "benchmarks/process.hpp"
 #include "benchmarks/registry.hpp"
+#include "core/config/json.hpp"
 #include "core/io/files.hpp"
 #include "core/io/text.hpp"
 
@@ -72,7 +72,7 @@ std::map<std::string, double> baseline(std::string& why) {
     why = fmt::format("not compared: there is no {}", baseline_file);
     return counts;
   }
-  auto const document = nlohmann::json::parse(io::read_file(baseline_file));
+  auto const document = json_of(io::read_file(baseline_file));
   std::string const theirs = document.at("compiler");
   if (theirs != compiled_by()) {
     why = fmt::format("not compared: the baseline is of {}, this is {}", theirs, compiled_by());

@@ -4,13 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "benchmarks/registry.hpp"
 #include "benchmarks/report/folder.hpp"
 #include "benchmarks/report/text.hpp"
 #include "benchmarks/timing/clock.hpp"
 #include "core/cli/exit_codes.hpp"
+#include "core/config/json.hpp"
 #include "core/config/nearest.hpp"
 #include "core/errors.hpp"
 #include "core/io/files.hpp"
@@ -101,8 +101,7 @@ std::vector<Measured> run(std::vector<Benchmark> const& list, Arguments const& a
 ExitCode bench(Arguments const& a) {
   auto const list = chosen(a.names);
   if (!a.folder.empty()) io::make_folder(a.folder, "results.json");
-  nlohmann::json const earlier =
-      a.against.empty() ? nlohmann::json() : nlohmann::json::parse(io::read_file(a.against), nullptr, false);
+  nlohmann::json const earlier = a.against.empty() ? nlohmann::json() : json_of(io::read_file(a.against));
   bool missing = false;
   auto const start = io::utc_now();
   auto all = run(list, a, missing);

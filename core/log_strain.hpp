@@ -41,6 +41,13 @@ template <class T, class Shape, class F>
 [[gnu::noinline]] Symmetric<T, Shape> by_principal_values(Symmetric<T, Shape> y, F f) {
   return isotropic_function(y, f);
 }
+// of the packs of a step: compiled in core/log_strain.cpp
+template <class Shape>
+using Strains = Symmetric<Lanes, Shape>;
+extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, decltype(expm1_of));
+extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, decltype(half_log1p_of));
+extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, decltype(expm1_of));
+extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, decltype(half_log1p_of));
 
 /// The value for small y, in the lanes where y is not small f(y) by the principal values.
 template <class T, class F>

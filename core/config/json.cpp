@@ -138,7 +138,7 @@ json parse_value(std::string_view text, std::string const& name) {
   Syntax syntax;
   json::sax_parse(text, &syntax);
   if (syntax.fault) refuse_syntax(*syntax.fault, text, name);
-  return json::parse(text);
+  return json_of(text);
 }
 
 void refuse_duplicates(Places const& places, std::string const& name) {
@@ -154,6 +154,10 @@ void refuse_duplicates(Places const& places, std::string const& name) {
 }
 
 }  // namespace
+
+json json_of(std::string_view text) {
+  return json::parse(text, nullptr, false);
+}
 
 Document parse(std::string_view text, std::string name) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

@@ -25,6 +25,10 @@ struct Document {
 /// twice, NaN or infinity, a number beyond double, bytes that are not UTF-8, and nesting beyond `deepest_nesting`.
 [[nodiscard]] Document parse(std::string_view text, std::string name);
 
+/// The same of what a program wrote: what is no JSON `is_discarded()`, and nobody is told why. Compiled once, as every
+/// unit that names nlohmann's parser compiles it anew.
+[[nodiscard]] nlohmann::json json_of(std::string_view text);
+
 /// Changes one value of a document: "/pointer=value", as in `--set /time/end=2.5`.
 ///
 /// The value is JSON by the same strict rules; what is not JSON but a bare word (a letter, then letters, digits and

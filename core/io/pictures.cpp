@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
+#include "core/config/json.hpp"
 #include "core/io/files.hpp"
 #include "core/io/gnuplot.hpp"
 #include "core/io/picture_panel.hpp"
@@ -56,7 +56,7 @@ std::vector<Instant> choose_instants(fs::path const& run_folder, std::string con
 std::string title_of(fs::path const& run_folder) {
   auto const file = run_folder / "resolved.json";
   if (!fs::exists(file)) return "";
-  auto const document = nlohmann::json::parse(read_file(file), nullptr, false);
+  auto const document = json_of(read_file(file));
   auto const title = document.is_object() ? document.find("title") : document.end();
   return title != document.end() && title->is_string() ? title->get<std::string>() : "";
 }

@@ -8,10 +8,10 @@
 #include <array>
 #include <cerrno>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <system_error>
 
+#include "core/config/json.hpp"
 #include "core/io/text.hpp"
 
 namespace talus::io {
@@ -175,7 +175,7 @@ Status read_status(fs::path const& run_folder) {
   auto const file = run_folder / "status.json";
   if (std::error_code error; !fs::is_regular_file(file, error)) throw foreign;
   try {
-    auto const document = nlohmann::json::parse(read_file(file));
+    auto const document = json_of(read_file(file));
     auto const found = std::ranges::find(outcome_names, document.at("status").get<std::string>());
     if (document.at("schema") != status_schema || found == outcome_names.end()) throw foreign;
     Status status;

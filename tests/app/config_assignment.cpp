@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_SUITE(config_assignment)
 
 namespace {
 
-json const original = json::parse(R"({"time": {"end": 1.5}, "bodies": [{"name": "a"}, {"name": "b"}], "a/b": 1})");
+json const original = json_of(R"({"time": {"end": 1.5}, "bodies": [{"name": "a"}, {"name": "b"}], "a/b": 1})");
 
 json after(std::string_view assignment) {
   json document = original;

@@ -180,7 +180,7 @@ bool reader_accepts(Document const& document) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_schema_accepts_what_the_reader_accepts) {
-  BOOST_TEST(Judge::accepts(scene_schema(), json::parse(sample::shortest)));
+  BOOST_TEST(Judge::accepts(scene_schema(), json_of(sample::shortest)));
   for (std::string const& change : good) {
     Document document = parse(sample::shortest, "a.json");
     set_value(document, change);
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(the_schema_refuses_what_the_reader_refuses) {
   }
   for (std::string_view const text : {"{}", "[]", "3", "null", "{\"law\": {\"type\": \"linear\"}}"}) {
     BOOST_TEST(!reader_accepts(parse(text, "a.json")), text);
-    BOOST_TEST(!Judge::accepts(scene_schema(), json::parse(text)), text);
+    BOOST_TEST(!Judge::accepts(scene_schema(), json_of(text)), text);
   }
 }
 
@@ -220,11 +220,11 @@ BOOST_AUTO_TEST_CASE(every_default_is_accepted_by_its_own_schema) {
 
 BOOST_AUTO_TEST_CASE(a_number_carries_its_bounds_default_unit_and_meaning) {
   json const& law = scene_schema().at("properties").at("law").at("allOf").at(1).at("then");
-  BOOST_TEST(law.at("properties").at("poisson_ratio") == json::parse(R"({"type": "number", "exclusiveMinimum": -1.0,
+  BOOST_TEST(law.at("properties").at("poisson_ratio") == json_of(R"({"type": "number", "exclusiveMinimum": -1.0,
     "exclusiveMaximum": 0.5, "default": 0.3, "description": "Poisson's ratio", "x-unit": "1", "x-symbol": "\\nu"})"));
-  BOOST_TEST(law.at("properties").at("young_modulus") == json::parse(R"({"type": "number", "exclusiveMinimum": 0.0,
+  BOOST_TEST(law.at("properties").at("young_modulus") == json_of(R"({"type": "number", "exclusiveMinimum": 0.0,
     "description": "Young's modulus [Pa]", "x-unit": "Pa", "x-symbol": "E"})"));
-  BOOST_TEST(law.at("required") == json::parse(R"(["type", "young_modulus"])"));
+  BOOST_TEST(law.at("required") == json_of(R"(["type", "young_modulus"])"));
   BOOST_TEST(law.at("additionalProperties") == false);
 }
 
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(a_choice_is_told_by_its_type_not_by_trial) {
   std::string const text = scene_schema().dump();
   BOOST_TEST(text.find("oneOf") == text.npos);
   json const& law = scene_schema().at("properties").at("law");
-  BOOST_TEST(law.at("properties").at("type").at("enum") == json::parse(R"(["elastic", "friction"])"));
+  BOOST_TEST(law.at("properties").at("type").at("enum") == json_of(R"(["elastic", "friction"])"));
   BOOST_TEST(law.at("allOf").at(0).at("if").at("properties").at("type").at("const") == "elastic");
 }
 

@@ -39,7 +39,7 @@ bool has(std::string const& text, std::string_view part) {
 
 BOOST_AUTO_TEST_CASE(the_echo_has_every_default_and_no_empty_option) {
   Scene const scene = read_or_throw<Scene>(parse(sample::shortest, "a.json"), 2);
-  json const expected = json::parse(R"({
+  json const expected = json_of(R"({
     "title": "untitled", "steps": 10, "seed": 1, "slope_deg": 0.0, "times": [0.5, 1.0], "probes": [], "notes": [],
     "space": {"dimension": 2, "periodic": [false, false], "kernel": {"type": "spline", "degree": 2}},
     "law": {"type": "elastic", "young_modulus": 2e5},

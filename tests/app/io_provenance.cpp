@@ -6,11 +6,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <thread>
 
 #include "core/build_info.hpp"
+#include "core/config/json.hpp"
 #include "core/io/machine.hpp"
 #include "core/io/provenance.hpp"
 
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_json_does_not_know_become_null_with_a_reason) 
   io::set_number(document, "b", Limits::quiet_NaN());
   io::set_number(document, "c", Limits::infinity());
   io::set_number(document, "d", -Limits::infinity());
-  BOOST_TEST(document == json::parse(R"({"a": 0.30000000000000004, "b": null, "b_status": "nan", "c": null,
+  BOOST_TEST(document == json_of(R"({"a": 0.30000000000000004, "b": null, "b_status": "nan", "c": null,
                                          "c_status": "inf", "d": null, "d_status": "-inf"})"));
   BOOST_TEST(io::number_of(document, "a") == 0.1 + 0.2);
   BOOST_TEST((std::isnan(io::number_of(document, "b")) && std::isnan(io::number_of(document, "not there"))));

@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <regex>
 
+#include "core/config/json.hpp"
 #include "core/io/checkpoint.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/io/series.hpp"
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(the_status_comes_back) {
   BOOST_TEST(status.step == 123456789012);
   run.write_status({io::Outcome::failed, 4, std::numeric_limits<double>::quiet_NaN(), 1});
   BOOST_TEST(std::isnan(io::read_status(run.path()).time));
-  auto const document = json::parse(io::read_file(run.path() / "status.json"));
+  auto const document = json_of(io::read_file(run.path() / "status.json"));
   BOOST_TEST(document.at("status") == "failed");
   BOOST_TEST(document.at("time").is_null());
   BOOST_TEST(document.at("time_status") == "nan");

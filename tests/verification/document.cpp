@@ -4,13 +4,14 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "core/config/json.hpp"
 #include "core/errors.hpp"
 #include "tests/support/says.hpp"
 #include "verification/suite/comparison.hpp"
 
 using namespace talus::verification;
+using talus::json_of;
 using talus::support::says;
 
 namespace {
@@ -46,7 +47,7 @@ BOOST_AUTO_TEST_SUITE(document)
 BOOST_AUTO_TEST_CASE(findings_come_back_as_they_were) {
   auto const before = all_there_can_be();
   auto const text = document_of(before).dump();
-  auto const after = findings_of(nlohmann::json::parse(text));
+  auto const after = findings_of(json_of(text));
   BOOST_TEST(document_of(after).dump() == text);
   BOOST_TEST_REQUIRE(after.rows.size() == 3u);
   BOOST_TEST(after.rows[0].found == 0.1 + 0.2);
@@ -65,10 +66,10 @@ BOOST_AUTO_TEST_CASE(findings_come_back_as_they_were) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_such_document_is_refused) {
-  BOOST_CHECK_THROW((void)findings_of(nlohmann::json::parse("{\"rows\": 3}")), talus::InputError);
-  BOOST_CHECK_EXCEPTION((void)results_of(nlohmann::json::parse(R"({"schema": "talus/bench/1"})")), talus::InputError,
+  BOOST_CHECK_THROW((void)findings_of(json_of("{\"rows\": 3}")), talus::InputError);
+  BOOST_CHECK_EXCEPTION((void)results_of(json_of(R"({"schema": "talus/bench/1"})")), talus::InputError,
                         says("talus/verification/1"));
-  BOOST_CHECK_THROW((void)results_of(nlohmann::json::parse("[]")), talus::InputError);
+  BOOST_CHECK_THROW((void)results_of(json_of("[]")), talus::InputError);
   BOOST_CHECK_THROW((void)verdict_of("passed"), talus::InputError);
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "core/config/json.hpp"
 #include "core/errors.hpp"
 #include "core/io/files.hpp"
 #include "core/io/text.hpp"
@@ -81,7 +81,7 @@ Comparison compare(std::vector<Result> const& results, std::vector<Result> const
 
 Comparison compare_with(std::vector<Result> const& results, std::string const& folder) {
   auto const path = std::filesystem::path(folder) / "results.json";
-  auto const document = nlohmann::json::parse(io::read_file(path), nullptr, false);
+  auto const document = json_of(io::read_file(path));
   if (document.is_discarded()) throw InputError(path.string() + " is no JSON");
   Comparison comparison = compare(results, results_of(document));
   comparison.folder = folder;

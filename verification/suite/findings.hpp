@@ -93,36 +93,11 @@ class Findings {
 
   /// A value that must lie in an interval.
   Row& check(std::string subject, std::string measure, double found, Interval allowed, std::string because,
-             Cost cost = {}) {
-    rows.push_back({std::move(subject),
-                    std::move(measure),
-                    "1",
-                    found,
-                    allowed,
-                    {},
-                    allowed.contains(found) ? Verdict::pass : Verdict::fail,
-                    std::move(because),
-                    cost});
-    return rows.back();
-  }
+             Cost cost = {});
   /// A value of which nothing is asked.
-  Row& note(std::string subject, std::string measure, double found, std::string because = {}, Cost cost = {}) {
-    rows.push_back(
-        {std::move(subject), std::move(measure), "1", found, {}, {}, Verdict::noted, std::move(because), cost});
-    return rows.back();
-  }
+  Row& note(std::string subject, std::string measure, double found, std::string because = {}, Cost cost = {});
   /// What was not run.
-  void omit(std::string subject, std::string measure, std::string because) {
-    rows.push_back({std::move(subject),
-                    std::move(measure),
-                    "1",
-                    std::numeric_limits<double>::quiet_NaN(),
-                    {},
-                    {},
-                    Verdict::omitted,
-                    std::move(because),
-                    {}});
-  }
+  void omit(std::string subject, std::string measure, std::string because);
 };
 
 }  // namespace talus::verification

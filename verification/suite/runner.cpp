@@ -16,9 +16,9 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/config/json.hpp"
 #include "core/errors.hpp"
 #include "core/io/files.hpp"
 #include "core/parallel.hpp"
@@ -184,7 +184,7 @@ class Runner {
     result.seconds = seconds_since(child.begin);
     result.processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     result.peak_memory = std::int64_t{1024} * used.ru_maxrss;
-    auto const document = nlohmann::json::parse(child.said, nullptr, false);
+    auto const document = json_of(child.said);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !document.is_discarded())
       result.findings = findings_of(document);
     else
