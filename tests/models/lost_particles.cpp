@@ -3,13 +3,14 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
-#include "core/material.hpp"
 #include "models/kinematics/plane_strain_reduced.hpp"
 #include "models/kinematics/solid.hpp"
 #include "models/laws/hencky.hpp"
 #include "models/laws/modified_cam_clay.hpp"
+#include "models/make.hpp"
 
 using namespace talus;
 
@@ -21,7 +22,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 template <class Kinematics, class Law>
 struct AtRest {
   static constexpr int D = Kinematics::dimension, chunks = 3, particles = 21;
-  MaterialOf<Kinematics, Law> material{"one", 1500, typename Law::Parameters{}};
+  std::unique_ptr<Material<D>> material = make_material<Kinematics, Law>("one", 1500, typename Law::Parameters{});
   Layout layout{D, Symmetric<double, typename Kinematics::Shape>::size};
   std::vector<Lanes> data;
   std::vector<Matrix<Lanes, D>> dt_gradient{static_cast<std::size_t>(chunks)};
@@ -29,9 +30,9 @@ struct AtRest {
 
   AtRest() {
     layout.unite(Fields<field::Mass, field::ElasticStrain>{});
-    material.declare(layout);
+    material->declare(layout);
     layout.unite(Fields<field::Identity>{});
-    material.bind(layout);
+    material->bind(layout);
     data.assign(static_cast<std::size_t>(chunks * layout.packs()), Lanes(0.0));
     batch.chunks = data.data();
     batch.ahead = data.data();
@@ -40,7 +41,7 @@ struct AtRest {
     batch.at.strain = layout.find("elastic_strain");
     batch.at.identity = layout.find(field::identity);
     std::vector<std::pair<int, double>> values;
-    material.start(values);
+    material->start(values);
     for (int c = 0; c < chunks; ++c) {
       for (auto const& [pack, value] : values) batch.chunk(c)[pack] = Lanes(value);
       for (int lane = 0; lane < batch.filled(c); ++lane) {
@@ -62,7 +63,7 @@ struct AtRest {
         for (Lanes const& entry : H.entries) square += entry[lane] * entry[lane];
         if (std::sqrt(square) / dt > motion.gradient) motion.gradient = std::sqrt(square) / dt;
       }
-    material.update(batch, dt_gradient.data(), dt, motion, nullptr, false, nullptr);
+    material->update(batch, dt_gradient.data(), dt, motion, nullptr, false, nullptr);
     return motion;
   }
 };
