@@ -12,6 +12,7 @@
 #include "benchmarks/process.hpp"
 #include "benchmarks/registry.hpp"
 #include "core/config/json.hpp"
+#include "core/errors.hpp"
 #include "core/io/files.hpp"
 #include "core/io/text.hpp"
 
@@ -73,6 +74,7 @@ std::map<std::string, double> baseline(std::string& why) {
     return counts;
   }
   auto const document = json_of(io::read_file(baseline_file));
+  if (document.is_discarded()) throw InputError(fmt::format("{} is no JSON", baseline_file));
   std::string const theirs = document.at("compiler");
   if (theirs != compiled_by()) {
     why = fmt::format("not compared: the baseline is of {}, this is {}", theirs, compiled_by());

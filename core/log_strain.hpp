@@ -25,13 +25,20 @@ namespace talus {
 
 namespace detail {
 
-inline constexpr auto expm1_of = [](auto const& x) { return expm1(x); };
+inline constexpr struct Expm1 {
+  template <class T>
+  [[nodiscard]] T operator()(T const& x) const {
+    return expm1(x);
+  }
+} expm1_of;
 
 /// 1/2 log1p, but not below 1/2 ln 2^-53 = -18.4: what rounding made of a positive 1 + x stays finite.
-inline constexpr auto half_log1p_of = [](auto const& x) {
-  using T = std::remove_cvref_t<decltype(x)>;
-  return T(T(0.5) * log1p(max(x, T(-1 + 0.5 * std::numeric_limits<double>::epsilon()))));
-};
+inline constexpr struct HalfLog1p {
+  template <class T>
+  [[nodiscard]] T operator()(T const& x) const {
+    return T(0.5) * log1p(max(x, T(-1 + 0.5 * std::numeric_limits<double>::epsilon())));
+  }
+} half_log1p_of;
 
 template <class T, class F>
 [[gnu::noinline]] T by_principal_values(T y, F f) {
@@ -44,10 +51,10 @@ template <class T, class Shape, class F>
 // of the packs of a step: compiled in core/log_strain.cpp
 template <class Shape>
 using Strains = Symmetric<Lanes, Shape>;
-extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, decltype(expm1_of));
-extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, decltype(half_log1p_of));
-extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, decltype(expm1_of));
-extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, decltype(half_log1p_of));
+extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, Expm1);
+extern template Strains<shape::Plane> by_principal_values(Strains<shape::Plane>, HalfLog1p);
+extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, Expm1);
+extern template Strains<shape::Solid> by_principal_values(Strains<shape::Solid>, HalfLog1p);
 
 /// The value for small y, in the lanes where y is not small f(y) by the principal values.
 template <class T, class F>

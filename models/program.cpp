@@ -14,7 +14,7 @@ ExpectedValue expected_of(Expectation const& e) {
   return {e.measure, e.time, e.value, std::max(e.relative * std::abs(e.value), e.absolute), e.because};
 }
 
-nlohmann::json json_of(std::vector<AnyValue> const& list) {
+nlohmann::json list_of(std::vector<AnyValue> const& list) {
   nlohmann::json out = nlohmann::json::array();
   for (AnyValue const& value : list) write(value, out.emplace_back());
   return out;
@@ -22,8 +22,8 @@ nlohmann::json json_of(std::vector<AnyValue> const& list) {
 
 template <class Values>
 void add_axes_and_expectations(Values const& values, StudyPlan& plan) {
-  for (AxisEntry const& axis : values.axes) plan.axes.push_back({axis.path, json_of(axis.values)});
-  for (auto const& e : values.expect) plan.expect.push_back({json_of(e.at), expected_of(e)});
+  for (AxisEntry const& axis : values.axes) plan.axes.push_back({axis.path, list_of(axis.values)});
+  for (auto const& e : values.expect) plan.expect.push_back({list_of(e.at), expected_of(e)});
 }
 
 StudyPlan plan_of(Study const& values, Document const& document) {
