@@ -14,21 +14,21 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The rows of a file that belong to one time.
-struct Instant {
+struct Profile {
   double time;
   std::size_t first, rows;
 };
 
 /// The times at which a column has a number.
-std::vector<Instant> instants_of(std::vector<double> const& time, std::vector<double> const& values) {
-  std::vector<Instant> instants;
+std::vector<Profile> profiles_of(std::vector<double> const& time, std::vector<double> const& values) {
+  std::vector<Profile> profiles;
   for (std::size_t k = 0; k < time.size();) {
-    Instant instant{time[k], k, 0};
+    Profile profile{time[k], k, 0};
     bool holds = false;
-    for (; k < time.size() && time[k] == instant.time; ++k, ++instant.rows) holds = holds || std::isfinite(values[k]);
-    if (holds) instants.push_back(instant);
+    for (; k < time.size() && time[k] == profile.time; ++k, ++profile.rows) holds = holds || std::isfinite(values[k]);
+    if (holds) profiles.push_back(profile);
   }
-  return instants;
+  return profiles;
 }
 
 /// Whether a curve along the values has any length.
@@ -50,11 +50,11 @@ CurvePage page_of(fs::path const& file, std::string const& title, int most) {
                  true,
                  {}};
   if (time == nullptr || u == nullptr || y == nullptr || !spreads(*u) || !spreads(*y)) return page;
-  auto const all = instants_of(*time, *u);
+  auto const all = profiles_of(*time, *u);
   auto const column = [&](auto const* values) { return static_cast<std::size_t>(values - series.values.data()) + 1; };
   auto const shown = std::min(all.size(), static_cast<std::size_t>(most));
   for (std::size_t k = 0; k < shown; ++k) {
-    Instant const& at = all[shown > 1 ? k * (all.size() - 1) / (shown - 1) : 0];
+    Profile const& at = all[shown > 1 ? k * (all.size() - 1) / (shown - 1) : 0];
     page.curves.push_back({fmt::format("{:.3g} s", at.time), "../profiles/" + file.filename().string(), column(u),
                            column(y), at.first, at.rows});
   }

@@ -17,8 +17,6 @@ namespace talus::io {
 
 namespace {
 
-constexpr int width = 1100, panel_height = 230, left = 130, right = 40, top = 30, bottom = 75, gap = 26;
-
 struct Curve {
   std::size_t column;  ///< counted from 1, as gnuplot does
   std::string label;
@@ -57,6 +55,7 @@ std::vector<Curve> curves_of(Series const& series) {
 }  // namespace
 
 std::string motion_script(Series const& series, PictureFormat const& format) {
+  constexpr int width = 1100, panel_height = 230, left = 130, right = 40, top = 30, bottom = 75, gap = 26;
   auto const curves = curves_of(series);
   auto const* time = series.find("time");
   if (curves.empty() || time == nullptr || time->size() < 2 || !(time->front() < time->back())) return "";

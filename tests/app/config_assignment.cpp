@@ -4,10 +4,10 @@
 #include "core/config/json.hpp"
 #include "core/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(config_assignment)
+
 using namespace talus;
 using nlohmann::json;
-
-BOOST_AUTO_TEST_SUITE(config_assignment)
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include "core/config/json.hpp"
 #include "core/errors.hpp"
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(config_json)
+
+using namespace talus;
 
 namespace {
 

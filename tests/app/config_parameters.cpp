@@ -6,9 +6,9 @@
 #include "core/config/outline.hpp"
 #include "tests/app/config_sample.hpp"
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(config_parameters)
+
+using namespace talus;
 
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -8,10 +8,10 @@
 #include "core/errors.hpp"
 #include "tests/app/config_sample.hpp"
 
+BOOST_AUTO_TEST_SUITE(config_read)
+
 using namespace talus;
 using sample::Scene;
-
-BOOST_AUTO_TEST_SUITE(config_read)
 
 namespace {
 

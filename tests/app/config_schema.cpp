@@ -11,11 +11,11 @@
 #include "core/config/read.hpp"
 #include "tests/app/config_sample.hpp"
 
+BOOST_AUTO_TEST_SUITE(config_schema)
+
 using namespace talus;
 using nlohmann::json;
 using sample::Scene;
-
-BOOST_AUTO_TEST_SUITE(config_schema)
 
 namespace {
 

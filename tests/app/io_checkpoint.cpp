@@ -16,6 +16,8 @@
 #include "tests/support/snapshots.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_checkpoint)
+
 using namespace talus;
 namespace fs = std::filesystem;
 using support::says;
@@ -67,8 +69,6 @@ class ErrorOutput {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_checkpoint)
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_comes_back_bit_for_bit) {
   TemporaryFolder const folder;

@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(io_columns)
+
+using namespace talus;
 
 BOOST_AUTO_TEST_CASE(a_column_is_as_wide_as_its_widest_cell) {
   BOOST_TEST(io::columns({{"a", "number"}, {"long", "1"}, {"b", "22"}}, "lr") ==

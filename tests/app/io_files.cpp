@@ -8,6 +8,8 @@
 #include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_files)
+
 using namespace talus;
 namespace fs = std::filesystem;
 using support::says;
@@ -21,8 +23,6 @@ std::size_t entries_of(fs::path const& folder) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_files)
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_what_is_read) {
   TemporaryFolder const folder;

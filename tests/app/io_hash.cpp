@@ -7,6 +7,8 @@
 #include "core/io/hash.hpp"
 #include "tests/support/snapshots.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_hash)
+
 using namespace talus;
 using support::awkward_snapshot;
 
@@ -28,8 +30,6 @@ std::string bits(T value) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_hash)
 
 /// FIPS 180-2 appendix B gives the digests of "abc" and of a million "a"; that of nothing is NIST's (CAVP,
 /// SHA256ShortMsg).

@@ -16,6 +16,8 @@
 #include "tests/support/snapshots.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_pictures)
+
 using namespace talus;
 namespace fs = std::filesystem;
 using support::collapsing_heap;
@@ -57,8 +59,6 @@ class EmptyPath {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_pictures)
 
 BOOST_AUTO_TEST_CASE(views_are_right_handed_and_orthonormal) {
   for (auto const& view : {io::side_view(), io::oblique_view()}) {

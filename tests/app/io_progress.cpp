@@ -10,6 +10,8 @@
 #include "core/io/progress.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_progress)
+
 using namespace talus;
 using namespace std::chrono_literals;
 using support::TemporaryFolder;
@@ -36,8 +38,6 @@ std::size_t count(std::string const& text, std::string const& part) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_progress)
 
 BOOST_AUTO_TEST_CASE(the_line_tells_share_time_steps_rate_and_what_remains) {
   // A quarter done in 60 s: three times as long remains.

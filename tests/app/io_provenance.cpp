@@ -14,10 +14,10 @@
 #include "core/io/machine.hpp"
 #include "core/io/provenance.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_provenance)
+
 using namespace talus;
 using nlohmann::json;
-
-BOOST_AUTO_TEST_SUITE(io_provenance)
 
 BOOST_AUTO_TEST_CASE(what_the_caller_says_is_in_the_document) {
   auto const document = io::provenance_document({.command_line = {"talus", "run", "a b.json"},

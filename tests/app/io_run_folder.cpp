@@ -13,6 +13,8 @@
 #include "tests/support/snapshots.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_run_folder)
+
 using namespace talus;
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -48,8 +50,6 @@ std::vector<std::string> files_in(fs::path const& path) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(io_run_folder)
 
 BOOST_AUTO_TEST_CASE(a_new_folder_says_at_once_that_the_run_is_under_way) {
   TemporaryFolder const folder;

@@ -9,6 +9,8 @@
 #include "tests/support/snapshots.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_series)
+
 using namespace talus;
 using support::says;
 using support::TemporaryFolder;
@@ -16,8 +18,6 @@ using support::TemporaryFolder;
 namespace {
 std::vector<io::SeriesColumn> const columns{{"time", "s"}, {"front", "m"}, {"friction", "1"}};
 }
-
-BOOST_AUTO_TEST_SUITE(io_series)
 
 BOOST_AUTO_TEST_CASE(the_header_names_quantities_and_units) {
   TemporaryFolder const folder;

@@ -8,10 +8,10 @@
 #include "tests/support/snapshots.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(io_vtu)
+
 using namespace talus;
 using support::TemporaryFolder;
-
-BOOST_AUTO_TEST_SUITE(io_vtu)
 
 BOOST_AUTO_TEST_CASE(a_frame_comes_back_bit_for_bit) {
   TemporaryFolder const folder;

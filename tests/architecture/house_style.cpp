@@ -5,6 +5,8 @@
 
 #include "tests/architecture/sources.hpp"
 
+BOOST_AUTO_TEST_SUITE(house_style)
+
 using namespace talus::architecture;
 
 namespace {
@@ -76,8 +78,6 @@ std::string fault(std::string path, std::vector<std::string> lines) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(house_style)
 
 BOOST_AUTO_TEST_CASE(core_and_models_hold_no_macro_and_no_condition) {
   for (auto const& source : read_sources())

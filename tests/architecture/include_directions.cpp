@@ -6,6 +6,8 @@
 
 #include "tests/architecture/sources.hpp"
 
+BOOST_AUTO_TEST_SUITE(include_directions)
+
 using namespace talus::architecture;
 
 namespace {
@@ -98,8 +100,6 @@ std::set<std::string> reached(std::string const& from, std::map<std::string, std
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(include_directions)
 
 BOOST_AUTO_TEST_CASE(every_include_follows_the_rules) {
   auto const sources = read_sources();

@@ -20,6 +20,8 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/symmetric_function.hpp"
 
+BOOST_AUTO_TEST_SUITE(naive_agrees)
+
 using namespace talus;
 
 namespace {
@@ -136,8 +138,6 @@ void agree() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(naive_agrees)
 
 BOOST_AUTO_TEST_CASE(the_baseline_steps_as_talus_in_the_plane_with_the_quadratic_kernel) {
   agree<kinematics::PlaneStrainReduced, kernel::Quadratic, naive::Quadratic>();

@@ -10,6 +10,8 @@
 #include "models/catalogue.hpp"
 #include "tests/support/random_geometry.hpp"
 
+BOOST_AUTO_TEST_SUITE(boundaries)
+
 using namespace talus;
 using namespace talus::test;
 
@@ -231,8 +233,6 @@ void for_each_contact(F judge) {
 constexpr double small = 100 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(boundaries)
 
 BOOST_AUTO_TEST_CASE(changes_of_velocity_add_up) {
   for_each_contact([](Defects const& worst) { BOOST_TEST(worst.sum <= small); });

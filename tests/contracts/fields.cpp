@@ -14,6 +14,8 @@
 #include "models/catalogue.hpp"
 #include "models/make.hpp"
 
+BOOST_AUTO_TEST_SUITE(fields)
+
 using namespace talus;
 
 namespace {
@@ -104,8 +106,6 @@ Explanation explained(std::string const& name, std::vector<std::string> const& a
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(fields)
 
 BOOST_AUTO_TEST_CASE(a_record_has_a_number_for_each_of_its_fields) {
   Record<double, Fields<A, B>> record;

@@ -13,6 +13,8 @@
 #include "models/catalogue.hpp"
 #include "tests/contracts/wrong_kernels.hpp"
 
+BOOST_AUTO_TEST_SUITE(kernels)
+
 using namespace talus;
 using namespace talus::wrong_kernels;
 
@@ -108,8 +110,6 @@ void for_each_kernel(F f) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(kernels)
 
 BOOST_AUTO_TEST_CASE(every_kernel_of_the_catalogue_fulfils_the_concept) {
   for_each_kernel([]<class K>(K) {

@@ -9,6 +9,8 @@
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/contracts/law_contracts.hpp"
 
+BOOST_AUTO_TEST_SUITE(law_mutants)
+
 using namespace talus;
 
 namespace {
@@ -162,8 +164,6 @@ template <class L>
 using Undershooting = Mutated<L, Undershoot>;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(law_mutants)
 
 BOOST_AUTO_TEST_CASE(half_a_shear_modulus_is_refused) {
   BOOST_TEST(!contract_of::stress_is_the_gradient_of_the_energy<HalvedShear<law::Hencky>>().empty());

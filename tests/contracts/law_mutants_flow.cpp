@@ -11,6 +11,8 @@
 #include "models/laws/von_mises_softening.hpp"
 #include "tests/contracts/law_flow.hpp"
 
+BOOST_AUTO_TEST_SUITE(law_mutants_flow)
+
 using namespace talus;
 using namespace talus::contract_of;
 
@@ -84,8 +86,6 @@ struct HalfAGap : law::DruckerPragerVolumeCorrected {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(law_mutants_flow)
 
 BOOST_AUTO_TEST_CASE(flow_off_the_normal_is_refused) {
   BOOST_TEST(!flow_is_normal_to_the_potential<SkewedFlow>().empty());

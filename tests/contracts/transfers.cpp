@@ -9,6 +9,8 @@
 #include "models/catalogue.hpp"
 #include "tests/support/elastic_scenes.hpp"
 
+BOOST_AUTO_TEST_SUITE(transfers)
+
 using namespace talus;
 using namespace talus::support;
 
@@ -69,8 +71,6 @@ double loss(int N, typename T::Parameters const& transfer) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(transfers)
 
 // A few hundred roundings of numbers of order 1; what is wrong by a term is wrong by 1e-3 and more.
 constexpr double round_off = 1e-12;

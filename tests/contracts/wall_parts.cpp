@@ -13,6 +13,8 @@
 #include "models/catalogue.hpp"
 #include "tests/support/random_geometry.hpp"
 
+BOOST_AUTO_TEST_SUITE(wall_parts)
+
 using namespace talus;
 using namespace talus::test;
 
@@ -140,8 +142,6 @@ void judge_shapes() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(wall_parts)
 
 BOOST_AUTO_TEST_CASE(every_policy_of_the_catalogue_fulfils_its_concept) {
   for_each_type(catalogue::Shapes{}, []<class S>(std::type_identity<S>) {

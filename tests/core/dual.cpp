@@ -4,9 +4,9 @@
 #include <complex>
 #include <functional>
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(dual)
+
+using namespace talus;
 
 namespace {
 

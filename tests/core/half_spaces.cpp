@@ -8,6 +8,8 @@
 #include "core/half_spaces.hpp"
 #include "tests/support/random_geometry.hpp"
 
+BOOST_AUTO_TEST_SUITE(half_spaces)
+
 using namespace talus;
 using namespace talus::test;
 
@@ -64,8 +66,6 @@ Point<2> direction(double degrees) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(half_spaces)
 
 BOOST_AUTO_TEST_CASE(a_point_that_meets_all_constraints_comes_back_bit_by_bit) {
   Point<2> const x(0.1, 1e-300);

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <tuple>
 
+BOOST_AUTO_TEST_SUITE(law)
+
 using namespace talus;
 
 namespace {
@@ -95,8 +97,6 @@ static_assert(!Law<ThatForgetsItsState>);
 static_assert(!Law<int>);
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(law)
 
 BOOST_AUTO_TEST_CASE(invariants_are_those_of_the_stress_that_the_law_gives) {
   Stone const stone(Stone::Parameters{});

@@ -6,9 +6,9 @@
 
 #include "tests/support/quadruple.hpp"
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(log_strain)
+
+using namespace talus;
 
 namespace {
 

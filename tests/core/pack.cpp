@@ -6,9 +6,9 @@
 
 #include "core/scalar.hpp"
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(pack)
+
+using namespace talus;
 
 namespace {
 

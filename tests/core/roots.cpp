@@ -5,9 +5,9 @@
 
 #include "core/dual.hpp"
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(roots)
+
+using namespace talus;
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-using namespace talus;
-
 BOOST_AUTO_TEST_SUITE(spectral)
+
+using namespace talus;
 
 namespace {
 

@@ -9,6 +9,8 @@
 #include "core/wall.hpp"
 #include "tests/support/random_geometry.hpp"
 
+BOOST_AUTO_TEST_SUITE(wall)
+
 using namespace talus;
 using namespace talus::test;
 
@@ -43,8 +45,6 @@ double distance(auto const& a, auto const& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(wall)
 
 BOOST_AUTO_TEST_CASE(a_node_without_walls_is_left_alone) {
   BOOST_TEST((Resolved<2>({}, {1, 2}).v == P2(1, 2)));

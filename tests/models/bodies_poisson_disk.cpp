@@ -10,6 +10,8 @@
 #include "models/bodies/shapes/polygon.hpp"
 #include "tests/models/bodies.hpp"
 
+BOOST_AUTO_TEST_SUITE(bodies_poisson_disk)
+
 using namespace talus;
 using body::box, body::PoissonDisk, body::Polygon;
 
@@ -63,8 +65,6 @@ Polygon::In<2> dumbbell() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bodies_poisson_disk)
 
 BOOST_AUTO_TEST_CASE(poisson_points_keep_their_distance) {
   double const slack = 1 - 4 * eps;  // both squared distances are rounded

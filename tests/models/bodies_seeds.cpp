@@ -16,6 +16,8 @@
 #include "models/kernels/quadratic.hpp"
 #include "tests/models/bodies.hpp"
 
+BOOST_AUTO_TEST_SUITE(bodies_seeds)
+
 using namespace talus;
 using body::box, body::refuses, body::Lattice, body::PoissonDisk, body::Polygon;
 
@@ -43,8 +45,6 @@ bool every_cell_holds(int number, std::vector<Point<D>> const& points, double h,
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bodies_seeds)
 
 BOOST_AUTO_TEST_CASE(a_lattice_fills_every_cell_alike) {
   for (int const n : {1, 2, 3, 5}) {

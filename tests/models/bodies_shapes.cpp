@@ -9,6 +9,8 @@
 #include "models/bodies/shapes/polygon.hpp"
 #include "tests/models/bodies.hpp"
 
+BOOST_AUTO_TEST_SUITE(bodies_shapes)
+
 using namespace talus;
 using body::box, body::refuses;
 
@@ -48,8 +50,6 @@ std::vector<Coordinates> regular(int n) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bodies_shapes)
 
 BOOST_AUTO_TEST_CASE(a_box_holds_its_lower_faces_and_not_its_upper_ones) {
   auto const b = box<3>({0, -1, 2}, {1, 1, 5});

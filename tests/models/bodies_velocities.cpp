@@ -12,6 +12,8 @@
 #include "models/bodies/velocities/uniform.hpp"
 #include "tests/models/bodies.hpp"
 
+BOOST_AUTO_TEST_SUITE(bodies_velocities)
+
 using namespace talus;
 using body::refuses;
 
@@ -47,8 +49,6 @@ double gradient_error(Field const& field) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bodies_velocities)
 
 BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_velocities) {
   double const slack = 200 * eps;  // differences of velocities up to 50

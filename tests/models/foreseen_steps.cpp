@@ -18,6 +18,8 @@
 #include "models/transfers/pic.hpp"
 #include "tests/support/scenes.hpp"
 
+BOOST_AUTO_TEST_SUITE(foreseen_steps)
+
 using namespace talus;
 using namespace talus::support;
 
@@ -61,8 +63,6 @@ void compare(double gravity, int steps) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(foreseen_steps)
 
 BOOST_AUTO_TEST_CASE(a_step_that_was_scattered_ahead_has_the_bits_of_one_that_scatters_by_itself) {
   using Plane = kinematics::PlaneStrainReduced;

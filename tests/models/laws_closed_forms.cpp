@@ -10,6 +10,8 @@
 #include "tests/support/law_states.hpp"
 #include "tests/support/material_point.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_closed_forms)
+
 using namespace talus;
 using boost::math::lambert_w0;
 using boost::test_tools::tolerance;
@@ -24,8 +26,6 @@ constexpr double round_off = 1e-14;
 constexpr double bulk_833300 = 999960;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_closed_forms)
 
 BOOST_AUTO_TEST_CASE(hencky_stress_of_a_uniaxial_stretch_is_the_p_wave_modulus_times_its_logarithm) {
   law::Hencky const law(law::Hencky::Parameters{});

@@ -3,13 +3,13 @@
 
 #include "tests/support/law_extremes.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_extremes)
+
 using namespace talus;
 using namespace talus::extremes;
 using boost::test_tools::tolerance;
 using support::MaterialPoint;
 using support::simple_shear;
-
-BOOST_AUTO_TEST_SUITE(laws_extremes)
 
 BOOST_AUTO_TEST_CASE(row_32_a_pressure_of_a_million_strengths_ends_on_the_cap) {
   for_each_law<All>([](auto type, auto parameters) {

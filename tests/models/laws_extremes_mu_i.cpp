@@ -5,11 +5,11 @@
 #include "models/laws/drucker_prager_viscous.hpp"
 #include "tests/support/law_extremes.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_extremes_mu_i)
+
 using namespace talus;
 using namespace talus::extremes;
 using boost::test_tools::tolerance;
-
-BOOST_AUTO_TEST_SUITE(laws_extremes_mu_i)
 
 BOOST_AUTO_TEST_CASE(row_47_and_48_friction_is_mu_1_at_rest_and_mu_2_at_any_rate_of_a_trillion) {
   for_each_law<MuIs>([](auto type, auto parameters) {

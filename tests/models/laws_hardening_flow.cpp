@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+BOOST_AUTO_TEST_SUITE(laws_hardening_flow)
+
 namespace {
 
 using namespace talus;
@@ -22,8 +24,6 @@ constexpr Returned returned[] = {
     {50, 100, 0, 0, 49.9213},  {-40, 5, 0, 0.3, -29.3548},      {2000, 1500, -0.06, 0, 1443.08}};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_hardening_flow)
 
 BOOST_AUTO_TEST_CASE(the_pressures_are_those_that_the_reference_solver_returned) {
   for (Returned const& state : returned) {

@@ -8,6 +8,8 @@
 #include "models/laws/modified_cam_clay.hpp"
 #include "tests/support/law_states.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_hostile)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 
@@ -61,8 +63,6 @@ L with(double beta, double xi = 50, double p_c0 = 100) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_hostile)
 
 BOOST_AUTO_TEST_CASE(stresses_over_twenty_four_decades_become_finite_and_admissible) {
   for_each_type(CamClays{}, [](auto type) {

@@ -6,6 +6,8 @@
 #include "tests/support/law_states.hpp"
 #include "tests/support/material_point.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_mu_i)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 using support::MaterialPoint;
@@ -49,8 +51,6 @@ double critical_friction(law::CamClayMuI::Parameters const& m, double shear_rate
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_mu_i)
 
 BOOST_AUTO_TEST_CASE(shear_at_constant_pressure_recovers_mu_of_I) {
   // printed by an earlier driver in another language: p = 100 Pa, p_c0 = 400 Pa, xi = 100, 20/s

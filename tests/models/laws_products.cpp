@@ -12,6 +12,8 @@
 #include "tests/support/law_states.hpp"
 #include "tests/support/material_point.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_products)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 using support::MaterialPoint;
@@ -37,8 +39,6 @@ double difference(A const& a, B const& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_products)
 
 BOOST_AUTO_TEST_CASE(without_softening_and_viscosity_the_products_are_the_elementary_laws) {
   law::DruckerPrager::Parameters cone;

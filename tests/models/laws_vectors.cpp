@@ -8,6 +8,8 @@
 #include "tests/support/exact_cam_clay.hpp"
 #include "tests/support/law_states.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_vectors)
+
 using namespace talus;
 using support::Real;
 using support::tan_deg;
@@ -130,8 +132,6 @@ double error_against_exact(Vector const& v) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_vectors)
 
 BOOST_AUTO_TEST_CASE(the_rate_independent_map_gives_the_printed_values, *boost::unit_test::tolerance(1e-9)) {
   for (auto const& v : vectors) {

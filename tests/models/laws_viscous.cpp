@@ -13,6 +13,8 @@
 #include "tests/support/law_states.hpp"
 #include "tests/support/material_point.hpp"
 
+BOOST_AUTO_TEST_SUITE(laws_viscous)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 using support::MaterialPoint;
@@ -65,8 +67,6 @@ MaterialPoint<shape::Plane, L> sheared(L const& law, double p, double rate, doub
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(laws_viscous)
 
 BOOST_AUTO_TEST_CASE(linear_perzyna_approaches_its_viscous_stress_exponentially) {
   // q = q_y + eta rate (1 - exp(-G t/eta)), eta = q_y t_v

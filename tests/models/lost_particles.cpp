@@ -12,6 +12,8 @@
 #include "models/laws/modified_cam_clay.hpp"
 #include "models/make.hpp"
 
+BOOST_AUTO_TEST_SUITE(lost_particles)
+
 using namespace talus;
 
 namespace {
@@ -92,8 +94,6 @@ void lost_particles_are_told() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(lost_particles)
 
 BOOST_AUTO_TEST_CASE(they_are_told_by_every_kind_of_material) {
   lost_particles_are_told<kinematics::PlaneStrainReduced, law::Hencky>();

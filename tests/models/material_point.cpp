@@ -13,6 +13,8 @@
 #include "models/make.hpp"
 #include "tests/support/says.hpp"
 
+BOOST_AUTO_TEST_SUITE(material_point)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 
@@ -52,8 +54,6 @@ double steady_friction(law::CamClayMuI::Parameters const& p, double shear_rate, 
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(material_point)
 
 // The strain of the point is that of the law by hand, step by step, on a path that turns and yields.
 BOOST_AUTO_TEST_CASE(a_led_motion_gives_the_strain_and_state_of_the_law) {

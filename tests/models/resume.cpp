@@ -7,6 +7,8 @@
 #include "tests/support/says.hpp"
 #include "tests/support/small_case.hpp"
 
+BOOST_AUTO_TEST_SUITE(resume)
+
 using namespace talus;
 using support::CaseUnderWay;
 using support::says;
@@ -88,8 +90,6 @@ std::vector<Wrong> const wrong{
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(resume)
 
 BOOST_AUTO_TEST_CASE(a_state_that_a_run_has_left_is_taken_with_all_its_bits) {
   for (char const* text : {support::in_the_plane, support::in_space}) {

@@ -13,6 +13,8 @@
 #include "core/io/hash.hpp"
 #include "core/parallel.hpp"
 
+BOOST_AUTO_TEST_SUITE(same_bits)
+
 using namespace talus;
 
 namespace {
@@ -87,8 +89,6 @@ Snapshot only(Snapshot snapshot, std::vector<std::string> const& names) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(same_bits)
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_no_bit) {
   Threads const restored;

@@ -6,6 +6,9 @@
 
 #include "core/cli/program.hpp"
 
+// What sums of a hundred numbers are rounded by.
+BOOST_AUTO_TEST_SUITE(stations, *boost::unit_test::tolerance(1e-12))
+
 using namespace talus;
 
 namespace {
@@ -55,11 +58,7 @@ double value_of(Experiment const& experiment, std::string const& name) {
   return 0;
 }
 
-constexpr double rounding = 1e-12;  // of sums of a hundred numbers
-
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(stations, *boost::unit_test::tolerance(rounding))
 
 BOOST_AUTO_TEST_CASE(a_station_sees_its_part_of_the_period) {
   auto const experiment = composed(sheared_layer(across_the_seam));

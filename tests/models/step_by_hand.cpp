@@ -24,6 +24,8 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/step_by_hand.hpp"
 
+BOOST_AUTO_TEST_SUITE(step_by_hand)
+
 using namespace talus;
 using support::ByHand, support::Seed;
 
@@ -101,8 +103,6 @@ std::vector<Seed<D>> thrown(double spacing, double density, Point<D> const& v) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(step_by_hand)
 
 BOOST_AUTO_TEST_CASE(a_granular_body_in_a_corner_steps_as_by_hand_with_the_quadratic_kernel_and_aflip) {
   using Law = law::CamClayMuI;

@@ -17,6 +17,8 @@
 #include "models/transfers/flip.hpp"
 #include "models/transfers/pic.hpp"
 
+BOOST_AUTO_TEST_SUITE(step_choices)
+
 using namespace talus;
 using transfer::Aflip, transfer::Apic, transfer::Flip, transfer::Pic;
 
@@ -60,8 +62,6 @@ static_assert(Apic::State::holds<field::AffineVelocity> && Aflip::State::holds<f
 static_assert(Apic::State::count == 1 && Flip::State::count == 0);
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(step_choices)
 
 BOOST_AUTO_TEST_CASE(the_four_transfers_are_the_corners_of_mode_and_blend) {
   BOOST_TEST((!Pic::affine && !Pic::incremental));

@@ -21,6 +21,8 @@
 #include "models/boundaries/shapes/polyline.hpp"
 #include "tests/support/random_geometry.hpp"
 
+BOOST_AUTO_TEST_SUITE(walls)
+
 using namespace talus;
 using namespace talus::test;
 
@@ -60,8 +62,6 @@ bool says(std::string const& text, std::string const& part) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(walls)
 
 BOOST_AUTO_TEST_CASE(a_half_space_measures_along_its_normal_of_any_length) {
   wall::HalfSpace::In<2> const plane({{1, 1}, {30, 40}});

@@ -10,6 +10,8 @@
 #include "tests/support/says.hpp"
 #include "verification/suite/comparison.hpp"
 
+BOOST_AUTO_TEST_SUITE(document)
+
 using namespace talus::verification;
 using talus::json_of;
 using talus::support::says;
@@ -42,8 +44,6 @@ Row row(std::string measure, double found, Verdict verdict = Verdict::pass) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(document)
-
 BOOST_AUTO_TEST_CASE(findings_come_back_as_they_were) {
   auto const before = all_there_can_be();
   auto const text = document_of(before).dump();
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_such_document_is_refused) {
   BOOST_CHECK_EXCEPTION((void)results_of(json_of(R"({"schema": "talus/bench/1"})")), talus::InputError,
                         says("talus/verification/1"));
   BOOST_CHECK_THROW((void)results_of(json_of("[]")), talus::InputError);
-  BOOST_CHECK_THROW((void)verdict_of("passed"), talus::InputError);
+  BOOST_CHECK_THROW((void)verdict_named("passed"), talus::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_is_green_where_nothing_failed) {

@@ -18,6 +18,8 @@
 #include "tests/support/hostile.hpp"
 #include "verification/reference/return_maps.hpp"
 
+BOOST_AUTO_TEST_SUITE(hostile_states)
+
 using namespace talus;
 using support::Tally;
 using support::Trial;
@@ -241,8 +243,6 @@ void judge_cone(L const& law, Exact const& exact, unsigned seed, Tally& tally, l
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(hostile_states)
 
 BOOST_AUTO_TEST_CASE(modified_cam_clay) {
   judge_law<law::CamClay>(1);

@@ -7,6 +7,8 @@
 
 #include "verification/suite/refinement.hpp"
 
+BOOST_AUTO_TEST_SUITE(order)
+
 using namespace talus::verification;
 using boost::test_tools::tolerance;
 
@@ -32,8 +34,6 @@ Findings found(Norm norm, std::vector<double> const& errors) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(order)
 
 BOOST_AUTO_TEST_CASE(exact_powers_have_their_order_and_no_doubt) {
   for (double const p : {0.5, 1., 2., 3.7}) {

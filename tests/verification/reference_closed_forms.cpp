@@ -9,6 +9,8 @@
 #include "verification/reference/ida_path.hpp"
 #include "verification/suite/strain_paths.hpp"
 
+BOOST_AUTO_TEST_SUITE(reference_closed_forms)
+
 using namespace talus;
 using namespace talus::reference;
 using boost::test_tools::tolerance;
@@ -35,8 +37,6 @@ Path pure_shear(double rate, double duration) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(reference_closed_forms)
 
 BOOST_AUTO_TEST_CASE(isotropic_compression_is_a_lambert_function) {
   // the value of VERIFICATION 2.3 of the project's notes, computed there independently

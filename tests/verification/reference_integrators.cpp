@@ -9,8 +9,11 @@
 #include "verification/reference/ida_path.hpp"
 #include "verification/suite/strain_paths.hpp"
 
+BOOST_AUTO_TEST_SUITE(reference_integrators)
+
 using namespace talus;
 using namespace talus::reference;
+using talus::reference::Matrix;
 using verification::difference;
 using verification::eighths;
 using verification::glass;
@@ -62,8 +65,6 @@ Path back_and_forth() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(reference_integrators)
 
 BOOST_AUTO_TEST_CASE(cvode_and_gsl_agree_on_rate_independent_cam_clay) {
   compare(&rate_independent, verification::strain_paths(0), {0, 0.1, 0.3});

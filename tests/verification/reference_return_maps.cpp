@@ -11,6 +11,8 @@
 #include "verification/reference/return_maps.hpp"
 #include "verification/suite/strain_paths.hpp"
 
+BOOST_AUTO_TEST_SUITE(reference_return_maps)
+
 using namespace talus;
 using namespace talus::reference;
 using boost::test_tools::tolerance;
@@ -84,8 +86,6 @@ void tends_to_first_order(std::string const& name, RateLaw const& law, Course co
 constexpr Course compacts{60, 10, -3, 4e-5}, dilates{60, 10, 1, 4e-5};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(reference_return_maps)
 
 BOOST_AUTO_TEST_CASE(recorded_steps_are_met) {
   constexpr double printed = 1e-9;  // ten digits

@@ -7,6 +7,8 @@
 
 #include "core/io/provenance.hpp"
 
+BOOST_AUTO_TEST_SUITE(report)
+
 using namespace talus::verification;
 
 namespace {
@@ -33,8 +35,6 @@ bool holds(std::string const& text, std::string const& part) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(report)
 
 BOOST_AUTO_TEST_CASE(text_shows_what_is_not_green_and_all_if_asked) {
   auto const brief = text_of(hostile(), false, false), full = text_of(hostile(), true, false);

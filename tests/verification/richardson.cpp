@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(richardson)
+
 using namespace talus::verification;
 using boost::test_tools::tolerance;
 
@@ -25,8 +27,6 @@ double error_of(std::vector<double> const& values) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(richardson)
 
 BOOST_AUTO_TEST_CASE(three_grids_of_any_ratio_give_order_and_limit_of_a_power) {
   for (auto const& spacings : {halved, {0.3, 0.2, 0.1}, {0.5, 0.2, 0.15}})

@@ -15,6 +15,8 @@
 
 #include "core/parallel.hpp"
 
+BOOST_AUTO_TEST_SUITE(runner)
+
 using namespace talus::verification;
 using namespace std::chrono_literals;
 
@@ -78,8 +80,6 @@ Row error_of(Case const& failing, RunOptions const& options = {}) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(runner)
 
 BOOST_AUTO_TEST_CASE(what_a_case_found_before_it_threw_is_kept) {
   auto const rows = results_of({one("a", throw_after_a_row)}).front().findings.rows;

@@ -1,11 +1,10 @@
 #include "verification/reference/closed_forms.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_lambert.h>
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "verification/reference/gsl_calls.hpp"
 
 namespace talus::reference {
 
@@ -13,12 +12,9 @@ namespace {
 
 /// W0(x): W exp(W) = x. GSL's tolerance is a few epsilon.
 double lambert(double x) {
-  auto* const before = gsl_set_error_handler_off();
+  gsl::Quiet const quiet;
   gsl_sf_result result{};
-  int const status = gsl_sf_lambert_W0_e(x, &result);
-  gsl_set_error_handler(before);
-  if (status != GSL_SUCCESS)
-    throw std::runtime_error("gsl_sf_lambert_W0_e(" + std::to_string(x) + "): " + gsl_strerror(status));
+  gsl::check(gsl_sf_lambert_W0_e(x, &result), "gsl_sf_lambert_W0_e");
   return result.val;
 }
 

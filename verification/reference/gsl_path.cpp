@@ -1,45 +1,25 @@
 #include "verification/reference/gsl_path.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
-#include <string>
+
+#include "verification/reference/gsl_calls.hpp"
 
 namespace talus::reference {
 
 namespace {
-
-struct FreeGsl {
-  void operator()(gsl_odeiv2_step* s) const { gsl_odeiv2_step_free(s); }
-  void operator()(gsl_odeiv2_control* c) const { gsl_odeiv2_control_free(c); }
-  void operator()(gsl_odeiv2_evolve* e) const { gsl_odeiv2_evolve_free(e); }
-};
-
-template <class T>
-std::unique_ptr<T, FreeGsl> owned(T* object) {
-  if (object == nullptr) throw std::runtime_error("GSL could not make an integrator");
-  return std::unique_ptr<T, FreeGsl>(object);
-}
-
-void check(int status, char const* call) {
-  if (status != GSL_SUCCESS) throw std::runtime_error(std::string(call) + ": " + gsl_strerror(status));
-}
 
 class Gsl {
  public:
   Gsl(RateLaw const& law, State const& start)
       : law_(law),
         y_(coordinates_of(start)),
-        before_(gsl_set_error_handler_off()),
-        step_(owned(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, coordinates))),
-        control_(owned(gsl_odeiv2_control_scaled_new(relative_tolerance, relative_tolerance, 1, 0, sizes_of(law).data(),
-                                                     coordinates))),
-        evolve_(owned(gsl_odeiv2_evolve_alloc(coordinates))),
+        step_(gsl::owned<gsl_odeiv2_step_free>(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, coordinates))),
+        control_(gsl::owned<gsl_odeiv2_control_free>(gsl_odeiv2_control_scaled_new(
+            relative_tolerance, relative_tolerance, 1, 0, sizes_of(law).data(), coordinates))),
+        evolve_(gsl::owned<gsl_odeiv2_evolve_free>(gsl_odeiv2_evolve_alloc(coordinates))),
         system_{&derivative, nullptr, coordinates, this} {}
-  ~Gsl() { gsl_set_error_handler(before_); }
   Gsl(Gsl const&) = delete;
   Gsl& operator=(Gsl const&) = delete;
 
@@ -56,8 +36,8 @@ class Gsl {
     while (t_ < t) {
       auto const y = y_;
       double const from = t_, before = event_at(from, y);
-      check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &t_, t, &h_, y_.data()),
-            "gsl_odeiv2_evolve_apply");
+      gsl::check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &t_, t, &h_, y_.data()),
+                 "gsl_odeiv2_evolve_apply");
       double const after = event_at(t_, y_);
       if (plastic_ ? before > 0 && after < 0 : before < 0 && after > 0) change_phase(from, y);
     }
@@ -80,8 +60,8 @@ class Gsl {
   [[nodiscard]] Coordinates stepped(double from, Coordinates y, double h) const {
     Coordinates error{};
     gsl_odeiv2_step_reset(step_.get());
-    check(gsl_odeiv2_step_apply(step_.get(), from, h, y.data(), error.data(), nullptr, nullptr, &system_),
-          "gsl_odeiv2_step_apply");
+    gsl::check(gsl_odeiv2_step_apply(step_.get(), from, h, y.data(), error.data(), nullptr, nullptr, &system_),
+               "gsl_odeiv2_step_apply");
     return y;
   }
 
@@ -107,10 +87,10 @@ class Gsl {
 
   RateLaw const& law_;
   Coordinates y_;
-  gsl_error_handler_t* before_;
-  std::unique_ptr<gsl_odeiv2_step, FreeGsl> step_;
-  std::unique_ptr<gsl_odeiv2_control, FreeGsl> control_;
-  std::unique_ptr<gsl_odeiv2_evolve, FreeGsl> evolve_;
+  gsl::Quiet const quiet_;
+  gsl::Owned<gsl_odeiv2_step, gsl_odeiv2_step_free> step_;
+  gsl::Owned<gsl_odeiv2_control, gsl_odeiv2_control_free> control_;
+  gsl::Owned<gsl_odeiv2_evolve, gsl_odeiv2_evolve_free> evolve_;
   gsl_odeiv2_system system_;
   Segment const* segment_ = nullptr;
   double segment_start_ = 0, t_ = 0, h_ = 0;

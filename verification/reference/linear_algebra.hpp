@@ -1,6 +1,6 @@
 #pragma once
-/// Decompositions of Eigen's that several references share, compiled once: they take the compiler seconds in every
-/// translation unit.
+/// Decompositions of matrices, by GSL, which has them compiled: Eigen's take the compiler seconds in every unit. All throw
+/// std::runtime_error where GSL finds none.
 
 #include <Eigen/Core>
 

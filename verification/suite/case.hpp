@@ -8,7 +8,7 @@
 
 namespace talus::verification {
 
-/// A case lies in verification/cases/<id>.cpp, where it is defined as a constant; registry.cpp lists it.
+/// A case lies in verification/cases/<id>.cpp, where it is `the_case` of a namespace of its own; the build lists them.
 ///
 /// tier 0: seconds, at every change; 1: minutes, before a change lands; 2: the report.
 /// budget [s]: wall time on one core after which the case is stopped and counts as an error.

@@ -58,7 +58,7 @@ Row row_of(Json const& document) {
           io::number_of(document, "found"),
           interval_of(document.at("allowed")),
           interval_of(document.at("uncertainty")),
-          verdict_of(document.at("verdict").get<std::string>()),
+          verdict_named(document.at("verdict").get<std::string>()),
           document.at("because"),
           cost_of(document.at("cost"))};
 }

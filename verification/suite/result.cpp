@@ -54,7 +54,7 @@ std::string_view word_of(Verdict verdict) {
   return words[static_cast<std::size_t>(verdict)];
 }
 
-Verdict verdict_of(std::string_view word) {
+Verdict verdict_named(std::string_view word) {
   auto const found = std::find(words.begin(), words.end(), word);
   if (found == words.end()) throw InputError("'" + std::string(word) + "' is no verdict");
   return static_cast<Verdict>(found - words.begin());

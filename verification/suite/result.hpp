@@ -39,7 +39,7 @@ using Totals = std::array<std::size_t, 6>;
 /// "pass", "fail", ...: as in documents.
 [[nodiscard]] std::string_view word_of(Verdict verdict);
 /// The other way. Throws InputError.
-[[nodiscard]] Verdict verdict_of(std::string_view word);
+[[nodiscard]] Verdict verdict_named(std::string_view word);
 
 /// "1.98 [1.9, 2.05]", "≥ 1.85": what was found with its uncertainty, and what was asked; empty where nothing is told.
 [[nodiscard]] std::string interval_text(Interval const& uncertainty);

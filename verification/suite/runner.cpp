@@ -73,7 +73,7 @@ Findings found_by(Case const& one) {
   std::string const text = document_of(found_by(one)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string_view left = text;
   while (!left.empty()) {
-    auto const written = write(pipe, left.data(), left.size());
+    auto const written = ::write(pipe, left.data(), left.size());
     if (written < 0 && errno != EINTR) break;
     left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
   }
@@ -171,7 +171,7 @@ class Runner {
   /// Takes what is in the pipe; false at its end.
   static bool hear(Child& child) {
     std::array<char, 65536> buffer;
-    auto const size = read(child.pipe.number(), buffer.data(), buffer.size());
+    auto const size = ::read(child.pipe.number(), buffer.data(), buffer.size());
     if (size > 0) child.said.append(buffer.data(), static_cast<std::size_t>(size));
     return size > 0 || (size < 0 && errno == EINTR);
   }

@@ -23,10 +23,10 @@ namespace {
 
 using reference::flow::CompressiblePluggedLayer;
 
-constexpr std::size_t places = 2000;  // of equal mass in a SteadyLayer
+constexpr std::size_t parcels = 2000;  // of equal mass in a SteadyLayer
 
 double unstrained_height(double h_0, std::size_t k) {
-  return h_0 * (double(k) + 0.5) / double(places);
+  return h_0 * (double(k) + 0.5) / double(parcels);
 }
 
 /// What all particles of a row begin with.
@@ -115,9 +115,9 @@ CompressiblePluggedLayer bead_layer(double slope, double beta, double kept, doub
 
 SteadyLayer::SteadyLayer(CompressiblePluggedLayer const& layer) {
   std::vector<double> Y;
-  for (std::size_t k = 0; k < places; ++k) Y.push_back(unstrained_height(layer.layer.h_0, k));
+  for (std::size_t k = 0; k < parcels; ++k) Y.push_back(unstrained_height(layer.layer.h_0, k));
   double J = 0;
-  for (double const at : Y) J += layer.stretch(at) / double(places);
+  for (double const at : Y) J += layer.stretch(at) / double(parcels);
   solid_fraction = layer.layer.fluid.solid_fraction() / J;
   if (layer.kept > 0) {
     for (double const at : Y) {
@@ -131,13 +131,13 @@ SteadyLayer::SteadyLayer(CompressiblePluggedLayer const& layer) {
     top_speed = exact.surface_speed;
   }
   profile = sliced(y, u);
-  thickness = 2 * std::accumulate(y.begin(), y.end(), 0.0) / double(places);
+  thickness = 2 * std::accumulate(y.begin(), y.end(), 0.0) / double(parcels);
 }
 
 double SteadyLayer::speed(double below) const {
   if (below < 0) return -speed(-below);
-  double const place = std::clamp(below * double(places) - 0.5, 0.0, double(places) - 1);
-  auto const k = std::min(static_cast<std::size_t>(place), places - 2);
+  double const place = std::clamp(below * double(parcels) - 0.5, 0.0, double(parcels) - 1);
+  auto const k = std::min(static_cast<std::size_t>(place), parcels - 2);
   return u[k] + (place - double(k)) * (u[k + 1] - u[k]);
 }
 
@@ -180,7 +180,7 @@ std::vector<ExactProfile> exact_motion(reference::flow::CompressibleLayer const&
   std::vector<ExactProfile> profiles;
   for (auto const& at : extrapolated_motion(motion, 100, times, 1e-9).at) {
     std::vector<double> y, u;
-    for (std::size_t k = 0; k < places; ++k) {
+    for (std::size_t k = 0; k < parcels; ++k) {
       double const Y = unstrained_height(layer.h_0, k);
       y.push_back(interpolated(at.Y, at.y, Y));
       u.push_back(interpolated(at.Y, at.u, Y));

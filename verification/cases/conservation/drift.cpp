@@ -14,7 +14,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_drift {
 
 namespace {
 
@@ -92,12 +92,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_drift{"conservation/drift",
-                              "The energy of a standing wave over a hundred periods",
-                              "no drift",
-                              "property of symplectic integration",
-                              1,
-                              30,
-                              run};
+Case const the_case{"conservation/drift",
+                    "The energy of a standing wave over a hundred periods",
+                    "no drift",
+                    "property of symplectic integration",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_drift

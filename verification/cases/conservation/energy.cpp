@@ -29,7 +29,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_energy {
 
 namespace {
 
@@ -207,12 +207,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_energy{"conservation/energy",
-                               "Plastic blocks collide between walls of every kind: the ledger closes",
-                               "the balance of energy and angular momentum",
-                               "derived in core/ledger.hpp",
-                               0,
-                               15,
-                               run};
+Case const the_case{"conservation/energy",
+                    "Plastic blocks collide between walls of every kind: the ledger closes",
+                    "the balance of energy and angular momentum",
+                    "derived in core/ledger.hpp",
+                    0,
+                    15,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_energy

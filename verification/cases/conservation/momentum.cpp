@@ -21,7 +21,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_momentum {
 
 namespace {
 
@@ -141,12 +141,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_momentum{"conservation/momentum",
-                                 "Momentum changes by what gravity and walls give",
-                                 "the balance of momentum",
-                                 "Newton's second law",
-                                 0,
-                                 10,
-                                 run};
+Case const the_case{"conservation/momentum",
+                    "Momentum changes by what gravity and walls give",
+                    "the balance of momentum",
+                    "Newton's second law",
+                    0,
+                    10,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_momentum

@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_objectivity {
 
 namespace {
 
@@ -139,13 +139,13 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_objectivity{"conservation/objectivity",
-                                    "Rotations turn the strain and make none",
-                                    "eps' = R eps R^T",
-                                    "derived in the case's file; the test of rotated stretch: Kamojjala et al. (2015), "
-                                    "doi:10.1007/s00366-013-0342-x",
-                                    0,
-                                    10,
-                                    run};
+Case const the_case{"conservation/objectivity",
+                    "Rotations turn the strain and make none",
+                    "eps' = R eps R^T",
+                    "derived in the case's file; the test of rotated stretch: Kamojjala et al. (2015), "
+                    "doi:10.1007/s00366-013-0342-x",
+                    0,
+                    10,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_objectivity

@@ -14,7 +14,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_spin {
 
 namespace {
 
@@ -126,12 +126,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_spin{"conservation/spin",
-                             "A free elastic block turns",
-                             "angular momentum",
-                             "Jiang et al. (2015), doi:10.1145/2766996 (abstract read): kept by APIC",
-                             1,
-                             90,
-                             run};
+Case const the_case{"conservation/spin",
+                    "A free elastic block turns",
+                    "angular momentum",
+                    "Jiang et al. (2015), doi:10.1145/2766996 (abstract read): kept by APIC",
+                    1,
+                    90,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_spin

@@ -20,7 +20,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::conservation_symmetry {
 
 namespace {
 
@@ -164,12 +164,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const conservation_symmetry{"conservation/symmetry",
-                                 "Mirrored, turned, in another order, on more threads: the same solution",
-                                 "the solution itself",
-                                 "symmetry of the discrete problem",
-                                 0,
-                                 15,
-                                 run};
+Case const the_case{"conservation/symmetry",
+                    "Mirrored, turned, in another order, on more threads: the same solution",
+                    "the solution itself",
+                    "symmetry of the discrete problem",
+                    0,
+                    15,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::conservation_symmetry

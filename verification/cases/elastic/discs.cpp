@@ -15,7 +15,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_discs {
 
 namespace {
 
@@ -130,12 +130,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_discs{"elastic/discs",
-                         "Two elastic discs collide",
-                         "symmetry, momentum, the time of free contact, elastic rebound",
-                         "Sulsky, Chen & Schreyer (1994), doi:10.1016/0045-7825(94)90112-0 (parameters from memory)",
-                         1,
-                         40,
-                         run};
+Case const the_case{"elastic/discs",
+                    "Two elastic discs collide",
+                    "symmetry, momentum, the time of free contact, elastic rebound",
+                    "Sulsky, Chen & Schreyer (1994), doi:10.1016/0045-7825(94)90112-0 (parameters from memory)",
+                    1,
+                    40,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_discs

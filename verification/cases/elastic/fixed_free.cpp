@@ -20,7 +20,7 @@
 #include "verification/suite/refinement.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_fixed_free {
 
 namespace {
 
@@ -90,12 +90,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_fixed_free{"elastic/fixed_free",
-                              "First mode of a bar that is held at one end",
-                              "the mode of the linear bar, in closed form",
-                              "textbook; parameters as commonly used for this test (from memory)",
-                              1,
-                              20,
-                              run};
+Case const the_case{"elastic/fixed_free",
+                    "First mode of a bar that is held at one end",
+                    "the mode of the linear bar, in closed form",
+                    "textbook; parameters as commonly used for this test (from memory)",
+                    1,
+                    20,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_fixed_free

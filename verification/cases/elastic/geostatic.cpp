@@ -17,7 +17,7 @@
 #include "verification/suite/refinement.hpp"
 #include "verification/suite/resting_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_geostatic {
 
 namespace {
 
@@ -52,12 +52,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_geostatic{"elastic/geostatic",
-                             "A soft column under its own weight, at finite strain",
-                             "closed form with Lambert's function",
-                             "derived in verification/reference/hencky_column.hpp",
-                             1,
-                             60,
-                             run};
+Case const the_case{"elastic/geostatic",
+                    "A soft column under its own weight, at finite strain",
+                    "closed form with Lambert's function",
+                    "derived in verification/reference/hencky_column.hpp",
+                    1,
+                    60,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_geostatic

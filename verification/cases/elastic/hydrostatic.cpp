@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settle.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_hydrostatic {
 
 namespace {
 
@@ -88,12 +88,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_hydrostatic{"elastic/hydrostatic",
-                               "A block rests in a box with frictionless walls",
-                               "the static balance",
-                               "textbook; eps_q: derived, sum of V N' on a lattice",
-                               1,
-                               40,
-                               run};
+Case const the_case{"elastic/hydrostatic",
+                    "A block rests in a box with frictionless walls",
+                    "the static balance",
+                    "textbook; eps_q: derived, sum of V N' on a lattice",
+                    1,
+                    40,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_hydrostatic

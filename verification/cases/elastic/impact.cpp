@@ -15,7 +15,7 @@
 #include "verification/suite/refinement.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_impact {
 
 namespace {
 
@@ -95,7 +95,6 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_impact{
-    "elastic/impact", "Two halves of a bar collide", "d'Alembert's solution", "textbook", 2, 30, run};
+Case const the_case{"elastic/impact", "Two halves of a bar collide", "d'Alembert's solution", "textbook", 2, 30, run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_impact

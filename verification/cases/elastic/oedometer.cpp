@@ -19,7 +19,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settle.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_oedometer {
 
 namespace {
 
@@ -92,12 +92,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_oedometer{"elastic/oedometer",
-                             "Uniaxial compression without lateral strain",
-                             "closed form of Hencky's law",
-                             "derived in the case's file",
-                             0,
-                             5,
-                             run};
+Case const the_case{"elastic/oedometer",
+                    "Uniaxial compression without lateral strain",
+                    "closed form of Hencky's law",
+                    "derived in the case's file",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_oedometer

@@ -7,7 +7,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_rest {
 
 namespace {
 
@@ -36,6 +36,6 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_rest{"elastic/rest", "A block at rest stays at rest", "rest", "by definition", 0, 5, run};
+Case const the_case{"elastic/rest", "A block at rest stays at rest", "rest", "by definition", 0, 5, run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_rest

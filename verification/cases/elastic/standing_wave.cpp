@@ -22,7 +22,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::elastic_standing_wave {
 
 namespace {
 
@@ -143,12 +143,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const elastic_standing_wave{"elastic/standing_wave",
-                                 "Frequency and damping of a standing elastic wave",
-                                 "the wave factor of the linear scheme, in closed form",
-                                 "derived in verification/reference/lattice_modes.hpp",
-                                 1,
-                                 30,
-                                 run};
+Case const the_case{"elastic/standing_wave",
+                    "Frequency and damping of a standing elastic wave",
+                    "the wave factor of the linear scheme, in closed form",
+                    "derived in verification/reference/lattice_modes.hpp",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::elastic_standing_wave

@@ -13,7 +13,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/flow_profile.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_between_walls {
 
 namespace {
 
@@ -120,12 +120,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_between_walls{"flow/between_walls",
-                              "Plane shear with and without gravity, and flow down a vertical chute",
-                              "closed forms of verification/reference/flow/confined.hpp",
-                              "GDR MiDi (2004), doi:10.1140/epje/i2003-10153-0",
-                              2,
-                              600,
-                              run};
+Case const the_case{"flow/between_walls",
+                    "Plane shear with and without gravity, and flow down a vertical chute",
+                    "closed forms of verification/reference/flow/confined.hpp",
+                    "GDR MiDi (2004), doi:10.1140/epje/i2003-10153-0",
+                    2,
+                    600,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_between_walls

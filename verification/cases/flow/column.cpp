@@ -19,7 +19,7 @@
 #include "verification/suite/order.hpp"
 #include "verification/suite/settled_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_column {
 
 namespace {
 
@@ -134,12 +134,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_column{"flow/column",
-                       "The periodic column on a slope comes to its steady flow; what decides its error",
-                       "compressible layer: quadrature by GSL, method of lines by CVODE",
-                       "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figures 26 and 29",
-                       2,
-                       1800,
-                       run};
+Case const the_case{"flow/column",
+                    "The periodic column on a slope comes to its steady flow; what decides its error",
+                    "compressible layer: quadrature by GSL, method of lines by CVODE",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figures 26 and 29",
+                    2,
+                    1800,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_column

@@ -15,7 +15,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settled_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_column_cohesive {
 
 namespace {
 
@@ -77,12 +77,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_column_cohesive{"flow/column_cohesive",
-                                "A cohesive column on a slope of 32 degrees",
-                                "compressible layer with and without a plug, by quadrature",
-                                "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 16",
-                                2,
-                                900,
-                                run};
+Case const the_case{"flow/column_cohesive",
+                    "A cohesive column on a slope of 32 degrees",
+                    "compressible layer with and without a plug, by quadrature",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 16",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_column_cohesive

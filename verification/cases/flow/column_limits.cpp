@@ -15,7 +15,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settled_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_column_limits {
 
 namespace {
 
@@ -67,12 +67,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_column_limits{"flow/column_limits",
-                              "Steady flow exists between mu_1 and mu_2",
-                              "compressible layer; method of lines by CVODE",
-                              "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 6",
-                              2,
-                              600,
-                              run};
+Case const the_case{"flow/column_limits",
+                    "Steady flow exists between mu_1 and mu_2",
+                    "compressible layer; method of lines by CVODE",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 6",
+                    2,
+                    600,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_column_limits

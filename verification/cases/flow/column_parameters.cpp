@@ -10,7 +10,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settled_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_column_parameters {
 
 namespace {
 
@@ -72,12 +72,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_column_parameters{"flow/column_parameters",
-                                  "The steady column with other elasticity and hardening",
-                                  "compressible layer, by quadrature",
-                                  "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 26",
-                                  2,
-                                  600,
-                                  run};
+Case const the_case{"flow/column_parameters",
+                    "The steady column with other elasticity and hardening",
+                    "compressible layer, by quadrature",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 26",
+                    2,
+                    600,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_column_parameters

@@ -13,7 +13,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/settled_column.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_column_without_rate {
 
 namespace {
 
@@ -77,12 +77,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_column_without_rate{"flow/column_without_rate",
-                                    "A column without rate dependence stops, or speeds up",
-                                    "closed form of the rigid-plastic layer",
-                                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 31",
-                                    2,
-                                    300,
-                                    run};
+Case const the_case{"flow/column_without_rate",
+                    "A column without rate dependence stops, or speeds up",
+                    "closed form of the rigid-plastic layer",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 31",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_column_without_rate

@@ -19,7 +19,7 @@
 #include "verification/suite/settled_column.hpp"
 #include "verification/suite/shipped.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_inflow {
 
 namespace {
 
@@ -171,12 +171,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_inflow{"flow/inflow",
-                       "Inflow through a gate onto a rough slope",
-                       "compressible layer of the mass and friction that a station finds, by quadrature",
-                       "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figures 5, 6, 7 and 16",
-                       2,
-                       900,
-                       run};
+Case const the_case{"flow/inflow",
+                    "Inflow through a gate onto a rough slope",
+                    "compressible layer of the mass and friction that a station finds, by quadrature",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figures 5, 6, 7 and 16",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_inflow

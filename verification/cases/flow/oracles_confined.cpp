@@ -6,7 +6,7 @@
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_oracles_confined {
 
 namespace {
 
@@ -70,7 +70,7 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_oracles_confined{
+Case const the_case{
     "flow/oracles_confined",
     "Reference solutions of flows between walls against each other",
     "closed form, quadrature by GSL, CVODE, KINSOL",
@@ -80,4 +80,4 @@ Case const flow_oracles_confined{
     10,
     run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_oracles_confined

@@ -7,7 +7,7 @@
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_oracles_rate_independent {
 
 namespace {
 
@@ -58,13 +58,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_oracles_rate_independent{
-    "flow/oracles_rate_independent",
-    "A layer without rate dependence stops or speeds up",
-    "closed form; elastic, perfectly plastic layer by KINSOL",
-    "problem: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 31; closed form derived",
-    0,
-    10,
-    run};
+Case const the_case{"flow/oracles_rate_independent",
+                    "A layer without rate dependence stops or speeds up",
+                    "closed form; elastic, perfectly plastic layer by KINSOL",
+                    "problem: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 31; closed form derived",
+                    0,
+                    10,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_oracles_rate_independent

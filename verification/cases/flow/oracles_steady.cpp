@@ -12,7 +12,7 @@
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_oracles_steady {
 
 namespace {
 
@@ -172,7 +172,7 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_oracles_steady{
+Case const the_case{
     "flow/oracles_steady",
     "Reference solutions of steady layers against each other",
     "closed form, quadrature by GSL, CVODE, KINSOL",
@@ -182,4 +182,4 @@ Case const flow_oracles_steady{
     10,
     run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_oracles_steady

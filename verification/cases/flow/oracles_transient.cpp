@@ -12,11 +12,12 @@
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_oracles_transient {
 
 namespace {
 
 using namespace reference::flow;
+using reference::flow::Motion, reference::flow::Snapshot;
 
 constexpr double tolerance = 1e-10;
 
@@ -156,12 +157,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_oracles_transient{"flow/oracles_transient",
-                                  "Reference solutions of layers in motion against each other",
-                                  "CVODE, IDA, refined grids, steady solutions",
-                                  "model: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; its reduction derived",
-                                  1,
-                                  60,
-                                  run};
+Case const the_case{"flow/oracles_transient",
+                    "Reference solutions of layers in motion against each other",
+                    "CVODE, IDA, refined grids, steady solutions",
+                    "model: Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643; its reduction derived",
+                    1,
+                    60,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_oracles_transient

@@ -6,7 +6,7 @@
 #include "verification/suite/agreement.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::flow_well_posedness {
 
 namespace {
 
@@ -43,12 +43,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const flow_well_posedness{"flow/well_posedness",
-                               "Where incompressible mu(I) flow is well posed",
-                               "published lower end; roots of a polynomial by GSL",
-                               "Barker, Schaeffer, Bohorquez & Gray (2015), doi:10.1017/jfm.2015.412",
-                               0,
-                               5,
-                               run};
+Case const the_case{"flow/well_posedness",
+                    "Where incompressible mu(I) flow is well posed",
+                    "published lower end; roots of a polynomial by GSL",
+                    "Barker, Schaeffer, Bohorquez & Gray (2015), doi:10.1017/jfm.2015.412",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::flow_well_posedness

@@ -19,7 +19,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/disc.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_bead {
 
 namespace {
 
@@ -93,12 +93,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_bead{"friction/bead",
-                         "A bead slides down a bowl without friction",
-                         "conservation of energy",
-                         "derived in the case's file",
-                         2,
-                         300,
-                         run};
+Case const the_case{"friction/bead",
+                    "A bead slides down a bowl without friction",
+                    "conservation of energy",
+                    "derived in the case's file",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_bead

@@ -14,7 +14,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_inclined_box {
 
 namespace {
 
@@ -61,12 +61,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_inclined_box{"friction/inclined_box",
-                                 "An elastic box slides down planes that cut through the grid",
-                                 "the discrete motion under Coulomb friction",
-                                 "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
-                                 1,
-                                 180,
-                                 run};
+Case const the_case{"friction/inclined_box",
+                    "An elastic box slides down planes that cut through the grid",
+                    "the discrete motion under Coulomb friction",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
+                    1,
+                    180,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_inclined_box

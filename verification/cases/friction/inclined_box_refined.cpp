@@ -11,7 +11,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_inclined_box_refined {
 
 namespace {
 
@@ -49,13 +49,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_inclined_box_refined{
-    "friction/inclined_box_refined",
-    "An elastic box slides down planes that cut through grids of five spacings",
-    "the discrete motion under Coulomb friction",
-    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
-    2,
-    900,
-    run};
+Case const the_case{"friction/inclined_box_refined",
+                    "An elastic box slides down planes that cut through grids of five spacings",
+                    "the discrete motion under Coulomb friction",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_inclined_box_refined

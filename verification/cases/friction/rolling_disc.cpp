@@ -24,7 +24,7 @@
 #include "verification/suite/disc.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_rolling_disc {
 
 namespace {
 
@@ -75,12 +75,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_rolling_disc{"friction/rolling_disc",
-                                 "A disc rolls down a slope, or slips",
-                                 "the motion of a rigid disc",
-                                 "derived in the case's file",
-                                 2,
-                                 300,
-                                 run};
+Case const the_case{"friction/rolling_disc",
+                    "A disc rolls down a slope, or slips",
+                    "the motion of a rigid disc",
+                    "derived in the case's file",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_rolling_disc

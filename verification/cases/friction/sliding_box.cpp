@@ -24,7 +24,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_sliding_box {
 
 namespace {
 
@@ -200,12 +200,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_sliding_box{"friction/sliding_box",
-                                "An elastic box slides down planes of 16 to 30 degrees and sticks at 14",
-                                "the discrete motion under Coulomb friction",
-                                "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
-                                1,
-                                120,
-                                run};
+Case const the_case{"friction/sliding_box",
+                    "An elastic box slides down planes of 16 to 30 degrees and sticks at 14",
+                    "the discrete motion under Coulomb friction",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
+                    1,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_sliding_box

@@ -18,7 +18,7 @@
 #include "verification/suite/sliding_box.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_sliding_box_sweep {
 
 namespace {
 
@@ -87,13 +87,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_sliding_box_sweep{
-    "friction/sliding_box_sweep",
-    "The sliding box over stiffness, spacing, kernel and transfer",
-    "the discrete motion under Coulomb friction",
-    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
-    2,
-    900,
-    run};
+Case const the_case{"friction/sliding_box_sweep",
+                    "The sliding box over stiffness, spacing, kernel and transfer",
+                    "the discrete motion under Coulomb friction",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure of the sliding box",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_sliding_box_sweep

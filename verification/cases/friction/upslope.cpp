@@ -16,7 +16,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::friction_upslope {
 
 namespace {
 
@@ -88,12 +88,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const friction_upslope{"friction/upslope",
-                            "A box is pushed up a slope, stops, and slides back where tan theta > mu",
-                            "the discrete motion under Coulomb friction",
-                            "derived in the case's file",
-                            1,
-                            120,
-                            run};
+Case const the_case{"friction/upslope",
+                    "A box is pushed up a slope, stops, and slides back where tan theta > mu",
+                    "the discrete motion under Coulomb friction",
+                    "derived in the case's file",
+                    1,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::friction_upslope

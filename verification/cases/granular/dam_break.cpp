@@ -10,7 +10,7 @@
 #include "verification/suite/dam_break.hpp"
 #include "verification/suite/richardson.hpp"
 
-namespace talus::verification {
+namespace talus::verification::granular_dam_break {
 
 namespace {
 
@@ -58,12 +58,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const granular_dam_break{"granular/dam_break",
-                              "Grid refinement of the dam break on 22 degrees",
-                              "itself on finer grids: Richardson extrapolation, grid convergence index",
-                              "Mangeney et al. (2010), doi:10.1029/2009JF001462; Roache (1994), doi:10.1115/1.2910291",
-                              2,
-                              600,
-                              run};
+Case const the_case{"granular/dam_break",
+                    "Grid refinement of the dam break on 22 degrees",
+                    "itself on finer grids: Richardson extrapolation, grid convergence index",
+                    "Mangeney et al. (2010), doi:10.1029/2009JF001462; Roache (1994), doi:10.1115/1.2910291",
+                    2,
+                    600,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::granular_dam_break

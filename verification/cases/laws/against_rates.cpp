@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/strain_paths.hpp"
 
-namespace talus::verification {
+namespace talus::verification::laws_against_rates {
 
 namespace {
 
@@ -127,14 +127,13 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const laws_against_rates{
-    "laws/against_rates",
-    "Return maps against rate equations",
-    "CVODE (Adams and BDF), relative tolerance 1e-13",
-    "rate equations of Cam-Clay: Roscoe & Burland (1968); mu(I): Blatny, Gray & Gaume (2024), "
-    "doi:10.1017/jfm.2024.643",
-    1,
-    30,
-    run};
+Case const the_case{"laws/against_rates",
+                    "Return maps against rate equations",
+                    "CVODE (Adams and BDF), relative tolerance 1e-13",
+                    "rate equations of Cam-Clay: Roscoe & Burland (1968); mu(I): Blatny, Gray & Gaume (2024), "
+                    "doi:10.1017/jfm.2024.643",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::laws_against_rates

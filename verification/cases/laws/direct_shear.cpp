@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/strain_paths.hpp"
 
-namespace talus::verification {
+namespace talus::verification::laws_direct_shear {
 
 namespace {
 
@@ -102,12 +102,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const laws_direct_shear{"laws/direct_shear",
-                             "Direct shear of a material point",
-                             "IDA, relative tolerance 1e-13, and the plateau in closed form",
-                             "figure 25 of Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643",
-                             1,
-                             30,
-                             run};
+Case const the_case{"laws/direct_shear",
+                    "Direct shear of a material point",
+                    "IDA, relative tolerance 1e-13, and the plateau in closed form",
+                    "figure 25 of Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::laws_direct_shear

@@ -24,7 +24,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_affine {
 
 namespace {
 
@@ -128,12 +128,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_affine{"manufactured/affine",
-                               "Simple shear that speeds up, of a material with a history",
-                               "a material point on the same path with the same steps",
-                               "derived in the case's file",
-                               1,
-                               20,
-                               run};
+Case const the_case{"manufactured/affine",
+                    "Simple shear that speeds up, of a material with a history",
+                    "a material point on the same path with the same steps",
+                    "derived in the case's file",
+                    1,
+                    20,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_affine

@@ -16,7 +16,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_axis_aligned {
 
 namespace {
 
@@ -69,12 +69,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_axis_aligned{"manufactured/axis_aligned",
-                                     "Waves along both axes of a square",
-                                     "u_i = A sin(2 pi X_i) sin(pi t + phi_i) by its body force, Hencky",
-                                     "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
-                                     1,
-                                     120,
-                                     run};
+Case const the_case{"manufactured/axis_aligned",
+                    "Waves along both axes of a square",
+                    "u_i = A sin(2 pi X_i) sin(pi t + phi_i) by its body force, Hencky",
+                    "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
+                    1,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_axis_aligned

@@ -12,7 +12,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_axis_aligned_3d {
 
 namespace {
 
@@ -37,12 +37,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_axis_aligned_3d{"manufactured/axis_aligned_3d",
-                                        "Waves along the axes of a cube",
-                                        "u_i = A sin(2 pi X_i) sin(pi t) by its body force, Hencky",
-                                        "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
-                                        2,
-                                        300,
-                                        run};
+Case const the_case{"manufactured/axis_aligned_3d",
+                    "Waves along the axes of a cube",
+                    "u_i = A sin(2 pi X_i) sin(pi t) by its body force, Hencky",
+                    "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_axis_aligned_3d

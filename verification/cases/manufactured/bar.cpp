@@ -19,7 +19,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_bar {
 
 namespace {
 
@@ -100,12 +100,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_bar{"manufactured/bar",
-                            "A periodic bar vibrates, every scheme",
-                            "u = A sin(2 pi X) sin(pi t) by its body force, Hencky",
-                            "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
-                            1,
-                            120,
-                            run};
+Case const the_case{"manufactured/bar",
+                    "A periodic bar vibrates, every scheme",
+                    "u = A sin(2 pi X) sin(pi t) by its body force, Hencky",
+                    "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
+                    1,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_bar

@@ -7,7 +7,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_bar_neo_hookean {
 
 namespace {
 
@@ -33,13 +33,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_bar_neo_hookean{
-    "manufactured/bar_neo_hookean",
-    "A periodic neo-Hookean bar vibrates",
-    "u = A sin(2 pi X) sin(pi t) by its body force",
-    "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
-    1,
-    20,
-    run};
+Case const the_case{"manufactured/bar_neo_hookean",
+                    "A periodic neo-Hookean bar vibrates",
+                    "u = A sin(2 pi X) sin(pi t) by its body force",
+                    "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
+                    1,
+                    20,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_bar_neo_hookean

@@ -17,7 +17,7 @@
 #include "verification/manufactured/balance.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_body_forces {
 
 namespace {
 
@@ -122,14 +122,14 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_body_forces{"manufactured/body_forces",
-                                    "Body forces in closed form and by automatic differentiation",
-                                    "closed forms, derived by hand",
-                                    "derived in verification/exact; motions of Wallstedt & Guilkey (2008), "
-                                    "doi:10.1016/j.jcp.2008.07.019, and Kamojjala et al. (2015), "
-                                    "doi:10.1007/s00366-013-0342-x",
-                                    0,
-                                    5,
-                                    run};
+Case const the_case{"manufactured/body_forces",
+                    "Body forces in closed form and by automatic differentiation",
+                    "closed forms, derived by hand",
+                    "derived in verification/exact; motions of Wallstedt & Guilkey (2008), "
+                    "doi:10.1016/j.jcp.2008.07.019, and Kamojjala et al. (2015), "
+                    "doi:10.1007/s00366-013-0342-x",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_body_forces

@@ -16,7 +16,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_expanding_ring {
 
 namespace {
 
@@ -56,12 +56,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_expanding_ring{"manufactured/expanding_ring",
-                                       "A ring breathes with free rims",
-                                       "r = R + U(R, t) by its body force, Hencky",
-                                       "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
-                                       2,
-                                       120,
-                                       run};
+Case const the_case{"manufactured/expanding_ring",
+                    "A ring breathes with free rims",
+                    "r = R + U(R, t) by its body force, Hencky",
+                    "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
+                    2,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_expanding_ring

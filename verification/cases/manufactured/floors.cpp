@@ -17,7 +17,7 @@
 #include "verification/manufactured/bar.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_floors {
 
 namespace {
 
@@ -90,12 +90,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_floors{"manufactured/floors",
-                               "The bar with a fixed number of particles in a cell",
-                               "levels of the error that stays",
-                               "Steffen, Kirby & Berzins (2008), doi:10.1002/nme.2360",
-                               2,
-                               300,
-                               run};
+Case const the_case{"manufactured/floors",
+                    "The bar with a fixed number of particles in a cell",
+                    "levels of the error that stays",
+                    "Steffen, Kirby & Berzins (2008), doi:10.1002/nme.2360",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_floors

@@ -23,7 +23,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_time_order {
 
 namespace {
 
@@ -111,13 +111,13 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_time_order{"manufactured/time_order",
-                                   "The bar with shorter and shorter steps",
-                                   "a run on the same grid with far shorter steps",
-                                   "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), "
-                                   "doi:10.3970/cmes.2008.031.107",
-                                   1,
-                                   20,
-                                   run};
+Case const the_case{"manufactured/time_order",
+                    "The bar with shorter and shorter steps",
+                    "a run on the same grid with far shorter steps",
+                    "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), "
+                    "doi:10.3970/cmes.2008.031.107",
+                    1,
+                    20,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_time_order

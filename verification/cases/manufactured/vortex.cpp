@@ -17,7 +17,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_vortex {
 
 namespace {
 
@@ -54,12 +54,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_vortex{"manufactured/vortex",
-                               "A ring turns against its surroundings",
-                               "theta = Theta + A sin(pi t) g(R) by its body force, Hencky, q = 4",
-                               "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x",
-                               1,
-                               90,
-                               run};
+Case const the_case{"manufactured/vortex",
+                    "A ring turns against its surroundings",
+                    "theta = Theta + A sin(pi t) g(R) by its body force, Hencky, q = 4",
+                    "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x",
+                    1,
+                    90,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_vortex

@@ -20,7 +20,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/refinement.hpp"
 
-namespace talus::verification {
+namespace talus::verification::manufactured_vortex_classical {
 
 namespace {
 
@@ -68,13 +68,13 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const manufactured_vortex_classical{"manufactured/vortex_classical",
-                                         "The vortex as published, with shear up to 6",
-                                         "theta = Theta + A sin(pi t) g(R) by its body force, neo-Hookean, q = 2",
-                                         "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), "
-                                         "doi:10.1007/s00366-013-0342-x",
-                                         2,
-                                         400,
-                                         run};
+Case const the_case{"manufactured/vortex_classical",
+                    "The vortex as published, with shear up to 6",
+                    "theta = Theta + A sin(pi t) g(R) by its body force, neo-Hookean, q = 2",
+                    "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), "
+                    "doi:10.1007/s00366-013-0342-x",
+                    2,
+                    400,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::manufactured_vortex_classical

@@ -10,7 +10,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::motion_free_fall {
 
 namespace {
 
@@ -97,12 +97,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const motion_free_fall{"motion/free_fall",
-                            "A block is thrown and falls free",
-                            "the exact motion of symplectic Euler",
-                            "derived in the case's file",
-                            0,
-                            5,
-                            run};
+Case const the_case{"motion/free_fall",
+                    "A block is thrown and falls free",
+                    "the exact motion of symplectic Euler",
+                    "derived in the case's file",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::motion_free_fall

@@ -9,7 +9,7 @@
 #include "verification/manufactured/bar.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::motion_galilean {
 
 namespace {
 
@@ -34,12 +34,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const motion_galilean{"motion/galilean",
-                           "A vibrating bar from a moving train",
-                           "the same bar at rest",
-                           "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
-                           1,
-                           30,
-                           run};
+Case const the_case{"motion/galilean",
+                    "A vibrating bar from a moving train",
+                    "the same bar at rest",
+                    "Steffen, Wallstedt, Guilkey, Kirby & Berzins (2008), doi:10.3970/cmes.2008.031.107",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::motion_galilean

@@ -21,7 +21,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/stability.hpp"
 
-namespace talus::verification {
+namespace talus::verification::stability_isolated_particle {
 
 namespace {
 
@@ -114,12 +114,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const stability_isolated_particle{"stability/isolated_particle",
-                                       "The longest step of a particle without neighbours",
-                                       "eigenvalues of the step; the derived bound",
-                                       "derived in core/time_step.hpp and verification/reference/stability",
-                                       1,
-                                       30,
-                                       run};
+Case const the_case{"stability/isolated_particle",
+                    "The longest step of a particle without neighbours",
+                    "eigenvalues of the step; the derived bound",
+                    "derived in core/time_step.hpp and verification/reference/stability",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::stability_isolated_particle

@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/stability.hpp"
 
-namespace talus::verification {
+namespace talus::verification::stability_map {
 
 namespace {
 
@@ -158,12 +158,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const stability_map{"stability/map",
-                         "Longest stable steps, measured and predicted",
-                         "von Neumann's analysis; eigenvalues of the step of a particle",
-                         "derived in verification/reference/stability",
-                         2,
-                         180,
-                         run};
+Case const the_case{"stability/map",
+                    "Longest stable steps, measured and predicted",
+                    "von Neumann's analysis; eigenvalues of the step of a particle",
+                    "derived in verification/reference/stability",
+                    2,
+                    180,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::stability_map

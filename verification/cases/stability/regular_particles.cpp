@@ -13,7 +13,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/stability.hpp"
 
-namespace talus::verification {
+namespace talus::verification::stability_regular_particles {
 
 namespace {
 
@@ -50,12 +50,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const stability_regular_particles{"stability/regular_particles",
-                                       "The longest step of a lattice of particles",
-                                       "von Neumann's analysis of the step",
-                                       "derived in verification/reference/stability/regular.hpp",
-                                       1,
-                                       30,
-                                       run};
+Case const the_case{"stability/regular_particles",
+                    "The longest step of a lattice of particles",
+                    "von Neumann's analysis of the step",
+                    "derived in verification/reference/stability/regular.hpp",
+                    1,
+                    30,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::stability_regular_particles

@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/sliding_box.hpp"
 
-namespace talus::verification {
+namespace talus::verification::stability_stiff_blocks {
 
 namespace {
 
@@ -96,12 +96,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const stability_stiff_blocks{"stability/stiff_blocks",
-                                  "Blocks that are nearly incompressible, or nearly rigid",
-                                  "energy, the bound of the step, Coulomb's law",
-                                  "derived in the case's file and verification/suite/sliding_box.hpp",
-                                  2,
-                                  60,
-                                  run};
+Case const the_case{"stability/stiff_blocks",
+                    "Blocks that are nearly incompressible, or nearly rigid",
+                    "energy, the bound of the step, Coulomb's law",
+                    "derived in the case's file and verification/suite/sliding_box.hpp",
+                    2,
+                    60,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::stability_stiff_blocks

@@ -24,7 +24,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/dam_break.hpp"
 
-namespace talus::verification {
+namespace talus::verification::stability_stiff_dam_break {
 
 namespace {
 
@@ -146,12 +146,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const stability_stiff_dam_break{"stability/stiff_dam_break",
-                                     "The dam break with stiffness, hardening and strength over decades",
-                                     "itself with stiffer grains; the bound of the step; the ledger",
-                                     "Mangeney et al. (2010), doi:10.1029/2009JF001462",
-                                     2,
-                                     120,
-                                     run};
+Case const the_case{"stability/stiff_dam_break",
+                    "The dam break with stiffness, hardening and strength over decades",
+                    "itself with stiffer grains; the bound of the step; the ledger",
+                    "Mangeney et al. (2010), doi:10.1029/2009JF001462",
+                    2,
+                    120,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::stability_stiff_dam_break

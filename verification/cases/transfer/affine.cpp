@@ -17,7 +17,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::transfer_affine {
 
 namespace {
 
@@ -159,12 +159,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const transfer_affine{"transfer/affine",
-                           "An affine velocity passes an affine transfer unchanged, gravity and force included",
-                           "exact, by the completeness of the weights",
-                           "Jiang et al. (2015), doi:10.1145/2766996 (abstract read); derived in the case's file",
-                           0,
-                           5,
-                           run};
+Case const the_case{"transfer/affine",
+                    "An affine velocity passes an affine transfer unchanged, gravity and force included",
+                    "exact, by the completeness of the weights",
+                    "Jiang et al. (2015), doi:10.1145/2766996 (abstract read); derived in the case's file",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::transfer_affine

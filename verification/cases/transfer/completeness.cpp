@@ -18,7 +18,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::transfer_completeness {
 
 namespace {
 
@@ -115,12 +115,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const transfer_completeness{"transfer/completeness",
-                                 "Weights sum to one and reproduce linear fields, everywhere in a cell",
-                                 "identities of B-splines; the recursion of Cox and de Boor",
-                                 "de Boor (1972), doi:10.1016/0021-9045(72)90080-9",
-                                 0,
-                                 5,
-                                 run};
+Case const the_case{"transfer/completeness",
+                    "Weights sum to one and reproduce linear fields, everywhere in a cell",
+                    "identities of B-splines; the recursion of Cox and de Boor",
+                    "de Boor (1972), doi:10.1016/0021-9045(72)90080-9",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::transfer_completeness

@@ -19,7 +19,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::transfer_force_moment {
 
 namespace {
 
@@ -153,12 +153,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const transfer_force_moment{"transfer/force_moment",
-                                 "Forces on nodes keep sum and first moment of body force and stress",
-                                 "exact, by the completeness of weights and gradients",
-                                 "derived in the case's file",
-                                 0,
-                                 5,
-                                 run};
+Case const the_case{"transfer/force_moment",
+                    "Forces on nodes keep sum and first moment of body force and stress",
+                    "exact, by the completeness of weights and gradients",
+                    "derived in the case's file",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::transfer_force_moment

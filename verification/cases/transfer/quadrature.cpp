@@ -19,7 +19,7 @@
 #include "models/kernels/quadratic.hpp"
 #include "verification/suite/cases.hpp"
 
-namespace talus::verification {
+namespace talus::verification::transfer_quadrature {
 
 namespace {
 
@@ -68,12 +68,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const transfer_quadrature{"transfer/quadrature",
-                               "A lattice of particles under uniform stress",
-                               "1/n, 1/(2 n^2), 1/(8 n^3) for half-integer n; 0 for whole n",
-                               "derived in the case's file",
-                               0,
-                               5,
-                               run};
+Case const the_case{"transfer/quadrature",
+                    "A lattice of particles under uniform stress",
+                    "1/n, 1/(2 n^2), 1/(8 n^3) for half-integer n; 0 for whole n",
+                    "derived in the case's file",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::transfer_quadrature

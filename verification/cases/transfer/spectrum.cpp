@@ -15,7 +15,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::transfer_spectrum {
 
 namespace {
 
@@ -104,12 +104,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const transfer_spectrum{"transfer/spectrum",
-                             "What a transfer takes of a wave of velocity in a step",
-                             "the transfer's factor on a lattice, in closed form",
-                             "derived in verification/reference/lattice_modes.hpp",
-                             0,
-                             5,
-                             run};
+Case const the_case{"transfer/spectrum",
+                    "What a transfer takes of a wave of velocity in a step",
+                    "the transfer's factor on a lattice, in closed form",
+                    "derived in verification/reference/lattice_modes.hpp",
+                    0,
+                    5,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::transfer_spectrum

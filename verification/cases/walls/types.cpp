@@ -30,7 +30,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/setup.hpp"
 
-namespace talus::verification {
+namespace talus::verification::walls_types {
 
 namespace {
 
@@ -281,12 +281,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const walls_types{"walls/types",
-                       "Walls that slip, stick, separate and rub",
-                       "conservation of momentum, and the law of a node",
-                       "derived in the case's file",
-                       0,
-                       20,
-                       run};
+Case const the_case{"walls/types",
+                    "Walls that slip, stick, separate and rub",
+                    "conservation of momentum, and the law of a node",
+                    "derived in the case's file",
+                    0,
+                    20,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::walls_types

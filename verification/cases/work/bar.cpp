@@ -16,7 +16,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::work_bar {
 
 namespace {
 
@@ -53,7 +53,7 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const work_bar{"work/bar",
+Case const the_case{"work/bar",
                     "Work and precision on the periodic bar",
                     "u = A sin(2 pi X) sin(pi t) by its body force, Hencky",
                     "Steffen, Kirby & Berzins (2008), doi:10.1002/nme.2360",
@@ -61,4 +61,4 @@ Case const work_bar{"work/bar",
                     300,
                     run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::work_bar

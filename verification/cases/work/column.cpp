@@ -4,7 +4,7 @@
 #include "verification/suite/resting_column.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::work_column {
 
 namespace {
 
@@ -23,12 +23,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const work_column{"work/column",
-                       "Work and precision on a soft column under its own weight",
-                       "closed form with Lambert's function",
-                       "derived in verification/reference/hencky_column.hpp",
-                       2,
-                       300,
-                       run};
+Case const the_case{"work/column",
+                    "Work and precision on a soft column under its own weight",
+                    "closed form with Lambert's function",
+                    "derived in verification/reference/hencky_column.hpp",
+                    2,
+                    300,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::work_column

@@ -5,7 +5,7 @@
 #include "verification/suite/settled_column.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::work_flow_column {
 
 namespace {
 
@@ -27,12 +27,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const work_flow_column{"work/flow_column",
-                            "Work and precision on the steady column on a slope",
-                            "compressible layer, by quadrature",
-                            "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 29",
-                            2,
-                            3600,
-                            run};
+Case const the_case{"work/flow_column",
+                    "Work and precision on the steady column on a slope",
+                    "compressible layer, by quadrature",
+                    "Blatny, Gray & Gaume (2024), doi:10.1017/jfm.2024.643, figure 29",
+                    2,
+                    3600,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::work_flow_column

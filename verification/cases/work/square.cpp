@@ -5,7 +5,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::work_square {
 
 namespace {
 
@@ -22,12 +22,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const work_square{"work/square",
-                       "Work and precision on waves in a square",
-                       "u_i = A sin(2 pi X_i) sin(pi t + phi_i) by its body force, Hencky",
-                       "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
-                       2,
-                       900,
-                       run};
+Case const the_case{"work/square",
+                    "Work and precision on waves in a square",
+                    "u_i = A sin(2 pi X_i) sin(pi t + phi_i) by its body force, Hencky",
+                    "Wallstedt & Guilkey (2008), doi:10.1016/j.jcp.2008.07.019",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::work_square

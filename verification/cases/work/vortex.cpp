@@ -4,7 +4,7 @@
 #include "verification/suite/cases.hpp"
 #include "verification/suite/work_precision.hpp"
 
-namespace talus::verification {
+namespace talus::verification::work_vortex {
 
 namespace {
 
@@ -24,12 +24,12 @@ void run(Findings& findings) {
 
 }  // namespace
 
-Case const work_vortex{"work/vortex",
-                       "Work and precision on the vortex",
-                       "theta = Theta + A sin(pi t) g(R) by its body force, Hencky, q = 4",
-                       "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x",
-                       2,
-                       900,
-                       run};
+Case const the_case{"work/vortex",
+                    "Work and precision on the vortex",
+                    "theta = Theta + A sin(pi t) g(R) by its body force, Hencky, q = 4",
+                    "Kamojjala, Brannon, Sadeghirad & Guilkey (2015), doi:10.1007/s00366-013-0342-x",
+                    2,
+                    900,
+                    run};
 
-}  // namespace talus::verification
+}  // namespace talus::verification::work_vortex

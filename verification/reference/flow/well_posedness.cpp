@@ -2,10 +2,10 @@
 
 #include <gsl/gsl_poly.h>
 
-#include <stdexcept>
 #include <vector>
 
 #include "verification/reference/flow/gsl.hpp"
+#include "verification/reference/gsl_calls.hpp"
 
 namespace talus::reference::flow {
 
@@ -53,10 +53,9 @@ std::pair<double, double> well_posed_window_by_polynomial(Fluid const& fluid) {
   Polynomial const all =
       sum(sum(product(last, last), 4, product(product(Z, Z), B2)), -4, product(product(Z, N), product(B2, B)));
   std::vector<double> roots(2 * (all.size() - 1));
-  auto* const workspace = gsl_poly_complex_workspace_alloc(all.size());
-  int const status = gsl_poly_complex_solve(all.data(), all.size(), workspace, roots.data());
-  gsl_poly_complex_workspace_free(workspace);
-  if (status != 0) throw std::runtime_error("gsl_poly_complex_solve failed");
+  gsl::Quiet const quiet;
+  auto const workspace = gsl::owned<gsl_poly_complex_workspace_free>(gsl_poly_complex_workspace_alloc(all.size()));
+  gsl::check(gsl_poly_complex_solve(all.data(), all.size(), workspace.get(), roots.data()), "gsl_poly_complex_solve");
   std::vector<double> ends;
   for (std::size_t k = 0; k < roots.size(); k += 2)
     if (roots[k] > 0 && std::abs(roots[k + 1]) < 1e-9 * roots[k]) ends.push_back(roots[k]);
