@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "models/boundaries/make_wall.hpp"
 #include "models/compose.hpp"
+#include "models/walls.hpp"
 
 namespace talus {
 
@@ -24,12 +24,9 @@ struct Plane {
 template <int D>
 Plane<D> plane_of(WallEntry const& entry) {
   Plane<D> plane;
-  entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
-    entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
-      if constexpr (std::is_same_v<S, wall::HalfSpace>)
-        plane.wall = make_wall<D, S, wall::Stick, M>(entry.name, shape, {}, motion);
-      if constexpr (requires { motion.start; }) plane.times = {motion.start, motion.end};
-    });
+  if (entry.shape.holds<wall::HalfSpace>()) plane.wall = wall_of<D>(entry);
+  entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
+    if constexpr (requires { motion.start; }) plane.times = {motion.start, motion.end};
   });
   return plane;
 }

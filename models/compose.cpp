@@ -9,8 +9,8 @@
 #include "core/experiment_of.hpp"
 #include "core/filling.hpp"
 #include "core/in_short.hpp"
-#include "models/boundaries/make_wall.hpp"
 #include "models/make.hpp"
+#include "models/walls.hpp"
 
 namespace talus {
 
@@ -54,18 +54,9 @@ std::unique_ptr<Stages<D>> stages_of(Case const& document) {
 template <int D>
 std::vector<std::unique_ptr<Wall<D>>> walls_of(Case const& document) {
   std::vector<std::unique_ptr<Wall<D>>> walls;
-  for (std::size_t k = 0; k < document.walls.size(); ++k) {
-    WallEntry const& entry = document.walls[k];
-    entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
-      entry.contact.visit([&]<class C>(std::type_identity<C>, auto const& contact) {
-        entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
-          if constexpr (S::supports(D))
-            walls.push_back(located("/walls/" + std::to_string(k),
-                                    [&] { return make_wall<D, S, C, M>(entry.name, shape, contact, motion); }));
-        });
-      });
-    });
-  }
+  for (std::size_t k = 0; k < document.walls.size(); ++k)
+    if (auto wall = located("/walls/" + std::to_string(k), [&] { return wall_of<D>(document.walls[k]); }))
+      walls.push_back(std::move(wall));
   return walls;
 }
 

@@ -3,9 +3,9 @@
 #include <set>
 
 #include "core/mirror.hpp"
-#include "models/boundaries/make_wall.hpp"
 #include "models/compose.hpp"
 #include "models/make.hpp"
+#include "models/walls.hpp"
 
 namespace talus {
 
@@ -89,36 +89,29 @@ using MirrorPlanes = std::vector<std::pair<MirrorPlane, std::size_t>>;
 template <int D>
 void check_mirror(Case const& document, std::size_t k, MirrorPlanes& planes, Mistakes& wrong) {
   WallEntry const& entry = document.walls[k];
-  ContactRule rule;
-  entry.contact.visit([&]<class C>(std::type_identity<C>, auto const& contact) { rule = C::rule(contact); });
-  if (!rule.mirrors) return;
+  if (!contact_of(entry).mirrors) return;
   if (!entry.shape.holds<wall::HalfSpace>()) {
     wrong.push_back(at("walls", k, "contact") + ": only a half_space can mirror; found '" +
                     std::string(entry.shape.name()) + "'; take stick or slip");
     return;
   }
-  entry.shape.visit([&]<class S>(std::type_identity<S>, auto const& shape) {
-    entry.motion.visit([&]<class M>(std::type_identity<M>, auto const& motion) {
-      if constexpr (std::is_same_v<S, wall::HalfSpace>) try {
-          auto const wall = make_wall<D, S, wall::Stick, M>(entry.name, shape, {}, motion);
-          MirrorPlane const plane = mirror_plane<D>(*wall, document.grid.spacing);
-          for (auto const& [other, number] : planes)
-            if (other.axis == plane.axis && other.row == plane.row)
-              wrong.push_back(at("walls", k, "shape") + ": '" + document.walls[number].name +
-                              "' mirrors at the same plane; take one of the two out");
-          planes.emplace_back(plane, k);
-          int const axis = plane.axis;
-          auto const& periods = document.grid.periods;
-          if (static_cast<std::size_t>(axis) < periods.size() && periods[static_cast<std::size_t>(axis)] > 0)
-            wrong.push_back(
-                at("walls", k, "contact") +
-                ": a wall across an axis that repeats has no space behind it for images; take stick or slip, or "
-                "set the period to 0");
-        } catch (InputError const& error) {
-          wrong.push_back(at("walls", k, "shape") + ": " + error.what());
-        }
-    });
-  });
+  try {
+    auto const wall = wall_of<D>(entry);
+    MirrorPlane const plane = mirror_plane<D>(*wall, document.grid.spacing);
+    for (auto const& [other, number] : planes)
+      if (other.axis == plane.axis && other.row == plane.row)
+        wrong.push_back(at("walls", k, "shape") + ": '" + document.walls[number].name +
+                        "' mirrors at the same plane; take one of the two out");
+    planes.emplace_back(plane, k);
+    int const axis = plane.axis;
+    auto const& periods = document.grid.periods;
+    if (static_cast<std::size_t>(axis) < periods.size() && periods[static_cast<std::size_t>(axis)] > 0)
+      wrong.push_back(at("walls", k, "contact") +
+                      ": a wall across an axis that repeats has no space behind it for images; take stick or slip, or "
+                      "set the period to 0");
+  } catch (InputError const& error) {
+    wrong.push_back(at("walls", k, "shape") + ": " + error.what());
+  }
 }
 
 void check_walls(Case const& document, int D, Mistakes& wrong) {

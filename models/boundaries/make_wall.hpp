@@ -63,20 +63,25 @@ class WallOf final : public Wall<D> {
 
 /// A wall of these parts. Throws InputError where a part is not there in D dimensions or refuses its parameters; the
 /// message names the wall.
-template <int D, WallShape Shape, WallContact Contact, WallMotion Motion>
+template <int D, WallShape Shape, WallMotion Motion>
 [[nodiscard]] std::unique_ptr<Wall<D>> make_wall(std::string const& name, typename Shape::Parameters const& shape,
-                                                 typename Contact::Parameters const& contact,
-                                                 typename Motion::Parameters const& motion) {
+                                                 ContactRule const& rule, typename Motion::Parameters const& motion) {
   if constexpr (!Shape::supports(D) || !Motion::supports(D)) {
     throw InputError("wall '" + name + "': " + std::string(Shape::supports(D) ? Motion::name : Shape::name) +
                      " is not available in " + std::to_string(D) + " dimensions");
   } else {
     try {
-      return std::make_unique<WallOf<D, Shape, Motion>>(name, Contact::rule(contact), shape, motion);
+      return std::make_unique<WallOf<D, Shape, Motion>>(name, rule, shape, motion);
     } catch (InputError const& error) {
       throw InputError("wall '" + name + "': " + error.what());
     }
   }
+}
+template <int D, WallShape Shape, WallContact Contact, WallMotion Motion>
+[[nodiscard]] std::unique_ptr<Wall<D>> make_wall(std::string const& name, typename Shape::Parameters const& shape,
+                                                 typename Contact::Parameters const& contact,
+                                                 typename Motion::Parameters const& motion) {
+  return make_wall<D, Shape, Motion>(name, shape, Contact::rule(contact), motion);
 }
 
 }  // namespace talus

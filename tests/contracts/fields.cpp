@@ -77,18 +77,37 @@ std::vector<std::string_view> names_of(Fields<F...>) {
   return {F::name...};
 }
 
+/// A transfer of the catalogue in D dimensions.
+template <int D>
+struct OneTransfer {
+  std::string_view name;
+  bool affine;
+  std::unique_ptr<Stages<D>> (*make)();
+};
+
+/// A law with every transfer.
+template <class K, class L>
+void add_compositions(std::vector<OneTransfer<K::dimension>> const& transfers, std::vector<Composition>& list) {
+  constexpr int strain = Symmetric<double, typename K::Shape>::size;
+  for (auto const& transfer : transfers)
+    list.push_back({std::string(K::name) + ", " + std::string(L::name) + ", " + std::string(transfer.name),
+                    K::dimension, strain, transfer.affine, names_of(typename L::State{}),
+                    layout_of<K::dimension>(strain, make_material<K, L>("only", 1000, {}), transfer.make())});
+}
+
 /// All there are.
 std::vector<Composition> const& compositions() {
   static std::vector<Composition> const all = [] {
     std::vector<Composition> list;
     for_each_type(catalogue::Kinematics{}, [&]<class K>(std::type_identity<K>) {
-      for_each_type(catalogue::Laws{}, [&]<class L>(std::type_identity<L>) {
-        for_each_type(catalogue::Transfers{}, [&]<class T>(std::type_identity<T>) {
-          list.push_back({std::string(K::name) + ", " + std::string(L::name) + ", " + std::string(T::name),
-                          K::dimension, Symmetric<double, typename K::Shape>::size, T::affine,
-                          names_of(typename L::State{}), layout_of<K, L, T>()});
-        });
+      constexpr int D = K::dimension;
+      std::vector<OneTransfer<D>> transfers;
+      for_each_type(catalogue::Transfers{}, [&]<class T>(std::type_identity<T>) {
+        transfers.push_back(
+            {T::name, T::affine, [] { return make_stages<D, kernel::Quadratic, T, integrator::Usl>({}, false); }});
       });
+      for_each_type(catalogue::Laws{},
+                    [&]<class L>(std::type_identity<L>) { add_compositions<K, L>(transfers, list); });
     });
     return list;
   }();
