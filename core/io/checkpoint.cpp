@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view magic = "talus checkpoint, format ";
-constexpr int version = 4;  // 1: blocks by the node below, a cell of drift; 2: no ledger; 3: neither mass nor last step
+constexpr int format_version =
+    4;  // 1: blocks by the node below, a cell of drift; 2: no ledger; 3: neither mass nor last step
 constexpr std::size_t header_size = 512;
 
 void write_columns(hid_t file, Snapshot const& snapshot) {
@@ -92,7 +93,7 @@ Checkpoint read_image(std::string_view image) {
 }
 
 std::string header_of(std::string_view image) {
-  auto header = fmt::format("{}{}\nHDF5 from byte {} on\nbytes {}\nsha256 {}\n", magic, version, header_size,
+  auto header = fmt::format("{}{}\nHDF5 from byte {} on\nbytes {}\nsha256 {}\n", magic, format_version, header_size,
                             image.size(), sha256(image));
   header.resize(header_size, '\n');
   return header;
@@ -115,7 +116,8 @@ std::string fault_of(std::string_view bytes) {
   if (bytes.size() < header_size) return fmt::format("it is cut short after {} bytes", bytes.size());
   auto const header = bytes.substr(0, header_size), image = bytes.substr(header_size);
   auto const found = number_after(header, magic), size = number_after(header, "\nbytes ");
-  if (found != version) return fmt::format("it has format {}, this program reads format {}", found, version);
+  if (found != format_version)
+    return fmt::format("it has format {}, this program reads format {}", found, format_version);
   if (static_cast<std::int64_t>(image.size()) < size)
     return fmt::format("it is cut short: {} of {} bytes are left", bytes.size(),
                        size + static_cast<std::int64_t>(header_size));

@@ -16,12 +16,12 @@ namespace talus::io {
 namespace {
 
 nlohmann::json build_document() {
-  using namespace build_info;
-  return {{"compiler", compiler},
-          {"flags", compiler_flags},
-          {"type", build_type},
-          {"instruction_set", instruction_set},
-          {"git", {{"commit", git_commit}, {"dirty", git_dirty}, {"diff", git_diff}}}};
+  namespace built = build_info;
+  return {{"compiler", built::compiler},
+          {"flags", built::compiler_flags},
+          {"type", built::build_type},
+          {"instruction_set", built::instruction_set},
+          {"git", {{"commit", built::git_commit}, {"dirty", built::git_dirty}, {"diff", built::git_diff}}}};
 }
 
 /// As compiled; HDF5 as it is linked.
@@ -39,9 +39,9 @@ nlohmann::json library_document() {
 }  // namespace
 
 std::string build_line() {
-  using namespace build_info;
-  return fmt::format("talus {} ({}{}), {}, {}, {}", version, git_commit, git_dirty ? ", changed" : "", compiler,
-                     build_type, instruction_set);
+  namespace built = build_info;
+  return fmt::format("talus {} ({}{}), {}, {}, {}", built::version, built::git_commit,
+                     built::git_dirty ? ", changed" : "", built::compiler, built::build_type, built::instruction_set);
 }
 
 nlohmann::json provenance_document(Provenance const& run) {
