@@ -61,6 +61,18 @@ class WallOf final : public Wall<D> {
   typename Motion::template In<D> motion_;
 };
 
+namespace detail {
+/// What `make` makes; an InputError of its gets the wall's name.
+template <class F>
+auto for_wall(std::string const& name, F const& make) {
+  try {
+    return make();
+  } catch (InputError const& error) {
+    throw InputError("wall '" + name + "': " + error.what());
+  }
+}
+}  // namespace detail
+
 /// A wall of these parts. Throws InputError where a part is not there in D dimensions or refuses its parameters; the
 /// message names the wall.
 template <int D, WallShape Shape, WallMotion Motion>
@@ -70,18 +82,17 @@ template <int D, WallShape Shape, WallMotion Motion>
     throw InputError("wall '" + name + "': " + std::string(Shape::supports(D) ? Motion::name : Shape::name) +
                      " is not available in " + std::to_string(D) + " dimensions");
   } else {
-    try {
+    return detail::for_wall(name, [&]() -> std::unique_ptr<Wall<D>> {
       return std::make_unique<WallOf<D, Shape, Motion>>(name, rule, shape, motion);
-    } catch (InputError const& error) {
-      throw InputError("wall '" + name + "': " + error.what());
-    }
+    });
   }
 }
 template <int D, WallShape Shape, WallContact Contact, WallMotion Motion>
 [[nodiscard]] std::unique_ptr<Wall<D>> make_wall(std::string const& name, typename Shape::Parameters const& shape,
                                                  typename Contact::Parameters const& contact,
                                                  typename Motion::Parameters const& motion) {
-  return make_wall<D, Shape, Motion>(name, shape, Contact::rule(contact), motion);
+  auto const rule = detail::for_wall(name, [&] { return Contact::rule(contact); });
+  return make_wall<D, Shape, Motion>(name, shape, rule, motion);
 }
 
 }  // namespace talus

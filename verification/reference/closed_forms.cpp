@@ -3,6 +3,7 @@
 #include <gsl/gsl_sf_lambert.h>
 
 #include <cmath>
+#include <string>
 
 #include "verification/reference/gsl_calls.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 double lambert(double x) {
   gsl::Quiet const quiet;
   gsl_sf_result result{};
-  gsl::check(gsl_sf_lambert_W0_e(x, &result), "gsl_sf_lambert_W0_e");
+  gsl::check(gsl_sf_lambert_W0_e(x, &result), "gsl_sf_lambert_W0_e(" + std::to_string(x) + ")");
   return result.val;
 }
 

@@ -22,8 +22,8 @@ class Quiet {
 };
 
 /// Throws std::runtime_error where a call did not succeed.
-inline void check(int status, char const* call) {
-  if (status != GSL_SUCCESS) throw std::runtime_error(std::string(call) + ": " + gsl_strerror(status));
+inline void check(int status, std::string const& call) {
+  if (status != GSL_SUCCESS) throw std::runtime_error(call + ": " + gsl_strerror(status));
 }
 
 /// Gives back what GSL made.
@@ -37,7 +37,7 @@ using Owned = std::unique_ptr<T, Release<Free>>;
 /// Owns what GSL made. Throws std::runtime_error where it could not.
 template <auto Free, class T>
 [[nodiscard]] Owned<T, Free> owned(T* object) {
-  if (object == nullptr) throw std::runtime_error("GSL: no memory");
+  if (object == nullptr) throw std::runtime_error("GSL could not make what was asked of it");
   return Owned<T, Free>(object);
 }
 

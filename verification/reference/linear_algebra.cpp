@@ -11,6 +11,11 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// GSL does not come to an end with what is not finite.
+void expect_finite(Eigen::MatrixXd const& A) {
+  if (A.size() == 0 || !A.allFinite()) throw std::runtime_error("a matrix is empty or not finite");
+}
+
 gsl_matrix_view view_of(RowMajor& A) {
   return gsl_matrix_view_array(A.data(), static_cast<std::size_t>(A.rows()), static_cast<std::size_t>(A.cols()));
 }
@@ -21,6 +26,7 @@ gsl_vector_view view_of(Eigen::VectorXd& v) {
 }  // namespace
 
 Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd const& A) {
+  expect_finite(A);
   gsl::Quiet const quiet;
   auto const n = static_cast<std::size_t>(A.rows());
   RowMajor work = A;
@@ -38,6 +44,7 @@ Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd const& A) {
 }
 
 Eigen::VectorXd least_squares(Eigen::MatrixXd const& A, Eigen::VectorXd const& b) {
+  expect_finite(A);
   gsl::Quiet const quiet;
   auto const terms = static_cast<std::size_t>(A.cols());
   RowMajor work = A;
@@ -49,13 +56,15 @@ Eigen::VectorXd least_squares(Eigen::MatrixXd const& A, Eigen::VectorXd const& b
   int sign = 0;
   gsl::check(gsl_linalg_QRPT_decomp(&at.matrix, &factors_at.vector, order.get(), &sign, &norms_at.vector),
              "gsl_linalg_QRPT_decomp");
-  gsl::check(gsl_linalg_QRPT_lssolve(&at.matrix, &factors_at.vector, order.get(), &b_at.vector, &x_at.vector,
-                                     &residual_at.vector),
-             "gsl_linalg_QRPT_lssolve");
+  auto const rank = gsl_linalg_QRPT_rank(&at.matrix, -1);  // to round-off
+  gsl::check(gsl_linalg_QRPT_lssolve2(&at.matrix, &factors_at.vector, order.get(), &b_at.vector, rank, &x_at.vector,
+                                      &residual_at.vector),
+             "gsl_linalg_QRPT_lssolve2");
   return x;
 }
 
 Eigen::MatrixXd logarithm(Eigen::MatrixXd const& A) {
+  expect_finite(A);
   gsl::Quiet const quiet;
   RowMajor work = A, axes(A.rows(), A.cols());
   Eigen::VectorXd values(A.rows());
