@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view magic = "talus checkpoint, format ";
-constexpr int format_version =
-    4;  // 1: blocks by the node below, a cell of drift; 2: no ledger; 3: neither mass nor last step
+/// 1: blocks by the node below, a cell of drift; 2: no ledger; 3: neither mass nor last step.
+constexpr int format_version = 4;
 constexpr std::size_t header_size = 512;
 
 void write_columns(hid_t file, Snapshot const& snapshot) {
